@@ -1,0 +1,1 @@
+"""The rotorstab dashboard: `panel serve app`."""

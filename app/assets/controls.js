@@ -1,0 +1,169 @@
+// The sidebar: sliders with number boxes, choices, presets. Latest wins: new values leave
+// only after the frame that answers the last ones was painted, so nothing is ever queued.
+
+const TIMEOUT = 2000;
+
+export function render({ model, el }) {
+  const spec = model.spec;
+  const state = { values: {}, pending: {}, inflight: 0, sequence: 0, timer: 0 };
+  const rows = {};
+  const page = window.rotorstab || {};
+
+  // -- latest wins ---------------------------------------------------------
+  function flush() {
+    if (state.inflight || !Object.keys(state.pending).length) return;
+    state.inflight = ++state.sequence;
+    const message = { type: "change", seq: state.inflight, values: state.pending };
+    state.pending = {};
+    model.send_msg(message);
+    state.timer = setTimeout(() => { state.inflight = 0; flush(); }, TIMEOUT);
+  }
+
+  function release(seq) {
+    if (seq !== state.inflight) return;
+    clearTimeout(state.timer);
+    requestAnimationFrame(() => { state.inflight = 0; flush(); });
+  }
+
+  function change(name, value) {
+    state.pending[name] = value;
+    flush();
+  }
+
+  // -- what the server answers ---------------------------------------------
+  model.on("msg:custom", (answer) => {
+    const data = answer.data ?? answer;
+    release(data.seq);
+    state.values = data.values;
+    for (const [name, row] of Object.entries(rows)) {
+      const error = (data.errors || {})[name] || "";
+      row.say(error);
+      if (!error && !(name in state.pending)) row.show(data.values[name]);
+    }
+    if (page.answer) page.answer(data);
+  });
+
+  // -- pieces --------------------------------------------------------------
+  function node(tag, attributes, ...children) {
+    const made = document.createElement(tag);
+    for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+  }
+
+  function symbol(text) {
+    // "α_s max": a letter, its subscript, the rest
+    const [, letter, sub, rest] = text.match(/^([^_]+?)(?:_(\S+))?( .*)?$/);
+    return node("b", {}, letter, ...(sub ? [node("sub", {}, sub)] : []), rest || "");
+  }
+
+  function heading(field, id) {
+    const help = node("span", { class: "help", id: `${id}-help`, role: "tooltip" }, field.doc);
+    const mark = node("button", { class: "why", type: "button", "aria-label": `What is ${field.label}?`, "aria-describedby": `${id}-help` }, "?");
+    return node("div", { class: "head" },
+      node("label", { for: id, id: `${id}-label` },
+        ...(field.symbol ? [symbol(field.symbol), " "] : []), field.label),
+      mark, help);
+  }
+
+  function text(value, step) {
+    const digits = Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
+    // a value between steps (a preset's) is shown with the digits it needs
+    const short = value.toFixed(digits);
+    return Math.abs(short - value) < 1e-9 ? short : String(Number(value.toPrecision(6)));
+  }
+
+  function number(field) {
+    const id = `rs-${field.name}`;
+    const slider = node("input", { type: "range", id, min: field.low, max: field.high, step: "any", "aria-describedby": `${id}-help` });
+    const box = node("input", { type: "text", inputmode: "decimal", class: "box", autocomplete: "off", "aria-label": `${field.label}, number`, "aria-describedby": `${id}-error` });
+    const error = node("p", { class: "error", id: `${id}-error`, role: "alert" });
+    const say = (words) => {
+      error.textContent = words ? `${field.label} ${words}` : "";
+      box.toggleAttribute("aria-invalid", Boolean(words));
+    };
+    const fill = (value) => slider.style.setProperty("--fill", `${100 * (value - field.low) / (field.high - field.low)}%`);
+    const show = (value) => {
+      if (document.activeElement !== slider && el.getRootNode().activeElement !== slider) slider.value = value;
+      if (el.getRootNode().activeElement !== box) box.value = text(value, field.step);
+      fill(value);
+    };
+    const snap = (value) => Math.min(field.high, Math.max(field.low, Number((Math.round(value / field.step) * field.step).toPrecision(12))));
+    slider.addEventListener("input", () => {
+      const value = snap(slider.valueAsNumber);
+      box.value = text(value, field.step);
+      fill(value);
+      say("");
+      change(field.name, value);
+    });
+    slider.addEventListener("keydown", (event) => {
+      const page = { PageUp: 10, PageDown: -10, ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
+      if (!page) return;
+      event.preventDefault();
+      slider.value = snap(slider.valueAsNumber + page * field.step);
+      slider.dispatchEvent(new Event("input"));
+    });
+    const commit = () => {
+      const typed = box.value.trim().replace("−", "-").replace(",", ".");
+      const value = Number(typed);
+      if (typed === "" || !Number.isFinite(value) || value < field.low || value > field.high) {
+        say(`must be a number from ${field.low} to ${field.high}`);
+        return;
+      }
+      say("");
+      if (value === state.values[field.name]) { box.value = text(value, field.step); return; }
+      slider.value = value;
+      fill(value);
+      change(field.name, value);
+    };
+    box.addEventListener("change", commit);
+    box.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") commit();
+      if (event.key === "Escape") { box.value = text(state.values[field.name], field.step); say(""); }
+    });
+    rows[field.name] = { show, say };
+    return node("div", { class: "row" }, heading(field, id), node("div", { class: "pair" }, slider, box), error);
+  }
+
+  function choice(field) {
+    const id = `rs-${field.name}`;
+    const error = node("p", { class: "error", role: "alert" });
+    const group = node("div", { class: "choice", role: "radiogroup", "aria-labelledby": `${id}-label`, "aria-describedby": `${id}-help` });
+    const inputs = field.options.map(([value, words], index) => {
+      const input = node("input", { type: "radio", name: id, value, ...(index ? {} : { id }) });
+      input.addEventListener("change", () => change(field.name, value));
+      group.append(node("label", {}, input, node("span", {}, words)));
+      return input;
+    });
+    rows[field.name] = {
+      show: (value) => inputs.forEach((input) => { input.checked = input.value === value; }),
+      say: (words) => { error.textContent = words ? `${field.label} ${words}` : ""; },
+    };
+    return node("div", { class: "row" }, heading(field, id), group, error);
+  }
+
+  // -- assembly ------------------------------------------------------------
+  const form = node("form", { class: "controls", "aria-label": "Parameters" });
+  form.addEventListener("submit", (event) => event.preventDefault());
+  const presets = node("select", { id: "rs-preset", class: "preset" }, node("option", { value: "" }, "Choose a preset …"),
+    ...model.presets.map((name) => node("option", { value: name }, name)));
+  presets.addEventListener("change", () => {
+    if (presets.value) model.send_msg({ type: "preset", seq: ++state.sequence, name: presets.value });
+    presets.value = "";
+  });
+  const reset = node("button", { type: "button", class: "plain" }, "Reset all");
+  reset.addEventListener("click", () => model.send_msg({ type: "reset", seq: ++state.sequence }));
+  form.append(node("div", { class: "row" }, node("div", { class: "head" }, node("label", { for: "rs-preset" }, "Presets")),
+    node("div", { class: "pair" }, presets, reset)));
+  for (const group of spec) {
+    const set = node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title));
+    for (const field of group.fields) set.append(field.options ? choice(field) : number(field));
+    form.append(set);
+  }
+
+  // the page's own buttons reach the server through this component
+  page.send = (message) => model.send_msg({ seq: ++state.sequence, ...message });
+  page.change = change;
+  model.send_msg({ type: "hello", seq: ++state.sequence });
+  return form;
+}

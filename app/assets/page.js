@@ -1,0 +1,87 @@
+// What the page does outside the charts: theme, drawer, key numbers, notices.
+window.rotorstab = (() => {
+  const root = document.documentElement;
+  const page = {};
+
+  // -- theme: stored choice, else the system's; charts follow ----------------
+  const stored = (() => { try { return localStorage.getItem("rotorstab-theme"); } catch { return null; } })();
+  const system = window.matchMedia("(prefers-color-scheme: dark)");
+  root.dataset.theme = stored || (system.matches ? "dark" : "light");
+
+  function token(name) { return getComputedStyle(root).getPropertyValue(name).trim(); }
+
+  function paintCharts() {
+    if (!window.Bokeh) return;
+    const ink = token("--ink"), soft = token("--soft"), grid = token("--chart-grid"), card = token("--card");
+    const quiet = { sync: false };
+    const fonts = { axis_label_text_font_style: "italic", axis_label_text_font_size: "15px", major_label_text_font_size: "12px" };
+    for (const view_document of Bokeh.documents) {
+      for (const top of view_document.roots()) {
+        for (const model of top.references()) {
+          switch (model.type.split(".").pop()) {
+            case "Figure":
+              model.setv({ background_fill_color: card, border_fill_color: card, outline_line_color: grid }, quiet); break;
+            case "LinearAxis":
+              model.setv({ axis_line_color: soft, major_tick_line_color: soft, minor_tick_line_color: null,
+                major_label_text_color: soft, axis_label_text_color: ink, ...fonts }, quiet); break;
+            case "Grid":
+              model.setv({ grid_line_color: grid }, quiet); break;
+            case "Text":
+              model.setv({ text_color: { value: ink }, background_fill_color: { value: card } }, quiet); break;
+          }
+        }
+      }
+    }
+  }
+
+  function setTheme(name, keep) {
+    root.dataset.theme = name;
+    const button = document.querySelector("button.theme");
+    button.setAttribute("aria-pressed", String(name === "dark"));
+    if (keep) try { localStorage.setItem("rotorstab-theme", name); } catch { /* private window */ }
+    paintCharts();
+  }
+
+  // -- numbers ---------------------------------------------------------------
+  function number(value) {
+    if (value === null || value === undefined) return "none";
+    return value.toPrecision(5).replace("-", "−");
+  }
+
+  page.answer = (data) => {
+    const numbers = data.numbers || {};
+    for (const place of document.querySelectorAll("[data-number]")) place.textContent = number(numbers[place.dataset.number]);
+    for (const place of document.querySelectorAll("[data-whirl]")) {
+      const [real, imaginary] = numbers.whirl[place.dataset.whirl];
+      place.textContent = number(real);
+      if (Math.abs(imaginary) > 1e-9) {
+        const extra = document.createElement("small");
+        extra.textContent = ` ${imaginary < 0 ? "−" : "+"} ${number(Math.abs(imaginary))}j`;
+        place.append(extra);
+      }
+    }
+    const notes = [data.notice, numbers.rigid ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
+    const notice = document.querySelector(".notice");
+    notice.hidden = !notes.length;
+    notice.textContent = notes.join(" ");
+    page.last = data;
+    if (!page.painted) { page.painted = true; paintCharts(); }
+  };
+
+  document.addEventListener("DOMContentLoaded", () => {
+    const sidebar = document.querySelector("#sidebar");
+    const menu = document.querySelector("button.menu");
+    const drawer = (open) => {
+      sidebar.classList.toggle("open", open);
+      menu.setAttribute("aria-expanded", String(open));
+      (open ? sidebar.querySelector(".close") : menu).focus();
+    };
+    menu.addEventListener("click", () => drawer(!sidebar.classList.contains("open")));
+    sidebar.querySelector(".close").addEventListener("click", () => drawer(false));
+    document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
+    document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
+    document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
+    setTheme(root.dataset.theme, false);
+  });
+  return page;
+})();

@@ -1,0 +1,86 @@
+"""The sidebar component and its protocol: one message in, one answer out.
+
+The browser sends the newest values only after it has painted the answer to the last ones
+(latest wins), so nothing is queued, with one user or many.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import panel as pn
+import param
+
+from .state import PRESETS, SYMBOLS, State
+
+__all__ = ["Controls"]
+
+_ASSETS = Path(__file__).parent / "assets"
+
+GROUPS = (
+    ("Load", True, ("load_type", "static_load_factor", "reference")),
+    ("Rotor", True, ("spin_speed", "shear", "disk_mass", "diametral_inertia", "polar_inertia")),
+    (
+        "Charts",
+        False,
+        ("largest_factor", "lowest_frequency", "highest_frequency", "stiffness"),
+    ),
+)
+WORDS = {
+    "axial": "Axial",
+    "follower": "Follower",
+    "buckling": "Buckling load",
+    "flutter": "Flutter load",
+    "linear": "Linear",
+    "exact": "Exact",
+    "both": "Both",
+}
+
+
+def _field(name: str) -> dict[str, Any]:
+    """Describe one input for the browser, from the state's own declaration."""
+    parameter = State.param[name]
+    field = {
+        "name": name,
+        "label": parameter.label,
+        "symbol": SYMBOLS.get(name, ""),
+        "doc": parameter.doc,
+    }
+    if isinstance(parameter, param.Selector):
+        return field | {"options": [[word, WORDS[word]] for word in parameter.objects]}
+    low, high = parameter.bounds
+    return field | {"low": low, "high": high, "step": parameter.step}
+
+
+class Controls(pn.custom.JSComponent):
+    """Sliders, number boxes and choices; `respond` answers each message.
+
+    `respond` takes a message (a mapping with a "type") and returns the answer's content.
+    """
+
+    spec = param.List(doc="Groups of fields.")
+    presets = param.List(doc="Names of the presets.")
+
+    _esm = _ASSETS / "controls.js"
+    _stylesheets = [_ASSETS / "controls.css"]
+
+    def __init__(self, respond: Callable[[Mapping[str, Any]], dict[str, Any]]) -> None:
+        self._respond = respond
+        super().__init__(
+            spec=[
+                {"title": title, "open": open_, "fields": [_field(name) for name in names]}
+                for title, open_, names in GROUPS
+            ],
+            presets=list(PRESETS),
+            sizing_mode="stretch_width",
+        )
+
+    def _handle_msg(self, data: Any) -> None:
+        """Answer one message; anything that is not one is ignored."""
+        if not isinstance(data, Mapping):
+            return
+        sequence = data.get("seq")
+        answer = self._respond(data)
+        self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})

@@ -1,0 +1,48 @@
+"""Entry point of `panel serve app`: one session, one page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import panel as pn
+from markupsafe import Markup
+
+from rotorstab.charts import ROLES
+
+from .session import Session
+
+ASSETS = Path(__file__).parent / "assets"
+LEGENDS = {
+    "instability": ("backward", "forward"),
+    "load_frequency": ("axial", "follower", "growing", "limit", "current"),
+    "campbell": ("backward", "forward", "synchronous", "current"),
+}
+
+
+def legend(roles: tuple[str, ...]) -> Markup:
+    """Return an HTML legend whose strokes are those of the chart."""
+    entries = []
+    for name in roles:
+        role = ROLES[name]
+        entries.append(
+            Markup(
+                '<li><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
+                'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
+            ).format(role.color, role.width, "" if role.dash == "solid" else role.dash, role.meaning)
+        )
+    return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
+
+
+def build() -> pn.Template:
+    """Return a page of its own session."""
+    template = pn.Template((ASSETS / "page.html").read_text(encoding="utf-8"))
+    template.title = "rotorstab"
+    for name, root in Session().roots().items():
+        template.add_panel(name, root)
+    template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
+    template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
+    template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
+    return template
+
+
+build().servable()

@@ -1,0 +1,214 @@
+"""The dashboard's inputs: bounded, finite, free of Panel.
+
+Whatever sets a value — a slider, a number box, an address, a forged message — goes through
+`State.change`, which refuses with words what is out of range and keeps the rest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import param
+
+from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, ShaftDisk
+
+__all__ = ["PRESETS", "SYMBOLS", "State"]
+
+_TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
+_THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
+
+SYMBOLS = {
+    "static_load_factor": "α_s",
+    "spin_speed": "Ω̄",
+    "shear": "Φ",
+    "disk_mass": "M̄_D",
+    "diametral_inertia": "Ī_D",
+    "polar_inertia": "Ī_P",
+    "largest_factor": "β_d max",
+    "lowest_frequency": "θ/ωₙ min",
+    "highest_frequency": "θ/ωₙ max",
+}
+
+
+class State(param.Parameterized):
+    """Every input of the dashboard, with its bounds, step and one-line meaning."""
+
+    load_type = param.Selector(
+        default="axial",
+        objects=["axial", "follower"],
+        label="Load type",
+        doc="Axial keeps its direction; a follower load turns with the tip of the shaft.",
+    )
+    static_load_factor = param.Number(
+        default=0.5,
+        bounds=(0.0, 0.95),
+        step=0.01,
+        label="Static load factor",
+        doc="Steady part of the load, as a share of the reference load. Compression is positive.",
+    )
+    spin_speed = param.Number(
+        default=2.0,
+        bounds=(0.0, 4.0),
+        step=0.02,
+        label="Spin speed",
+        doc="Constant rotation speed, in units of √(EI/ρAL⁴).",
+    )
+    shear = param.Number(
+        default=BASE_CASE.shear,
+        bounds=(0.0, 0.1),
+        step=0.0002,
+        label="Shear parameter",
+        doc="EI/(κGAL²): 0 is the Euler–Bernoulli shaft, larger is softer in shear.",
+    )
+    disk_mass = param.Number(
+        default=BASE_CASE.disk_mass,
+        bounds=(0.5, 20.0),
+        step=0.05,
+        label="Disk mass",
+        doc="Mass of the disk over the mass of the shaft. The model neglects the shaft: trust ≥ 3.",
+    )
+    diametral_inertia = param.Number(
+        default=BASE_CASE.diametral_inertia,
+        bounds=(0.01, 3.0),
+        step=0.01,
+        label="Diametral inertia",
+        doc="The disk's moment of inertia about a diameter, over ρAL³.",
+    )
+    polar_inertia = param.Number(
+        default=BASE_CASE.polar_inertia,
+        bounds=(0.0, 6.0),
+        step=0.02,
+        label="Polar inertia",
+        doc="The disk's moment of inertia about the shaft, over ρAL³. A rigid body has at most 2 Ī_D.",
+    )
+    reference = param.Selector(
+        default="buckling",
+        objects=["buckling", "flutter"],
+        label="Load factors refer to",
+        doc="Static buckling load (the paper's choice for both load types), or the flutter load "
+        "of the resting rotor under a follower load.",
+    )
+    largest_factor = param.Number(
+        default=1.0,
+        bounds=(0.05, 2.0),
+        step=0.05,
+        label="Largest dynamic factor",
+        doc="Top of the instability chart: the largest dynamic load factor β_d shown.",
+    )
+    lowest_frequency = param.Number(
+        default=0.0,
+        bounds=(0.0, 39.0),
+        step=0.1,
+        label="Lowest frequency",
+        doc="Left end of the instability chart, in units of ωₙ.",
+    )
+    highest_frequency = param.Number(
+        default=16.0,
+        bounds=(0.5, 40.0),
+        step=0.1,
+        label="Highest frequency",
+        doc="Right end of the instability chart, in units of ωₙ.",
+    )
+    stiffness = param.Selector(
+        default="linear",
+        objects=["linear", "exact", "both"],
+        label="Stiffness in the load–frequency chart",
+        doc="The paper's linear coefficients, the exact ones of its Appendix A, or both.",
+    )
+
+    def inputs(self) -> dict[str, Any]:
+        """Return every input by name."""
+        return {name: getattr(self, name) for name in _NAMES}
+
+    def rotor(self) -> ShaftDisk:
+        """Return the rotor of the present inputs."""
+        return ShaftDisk(
+            shear=self.shear,
+            disk_mass=self.disk_mass,
+            diametral_inertia=self.diametral_inertia,
+            polar_inertia=self.polar_inertia,
+            slenderness=BASE_CASE.slenderness,
+        )
+
+    def change(self, values: Mapping[str, Any]) -> dict[str, str]:
+        """Set what is valid, refuse the rest; return a message for each refused name.
+
+        A value takes effect only if it is a finite number in its range or one of the
+        choices (bool is not a number); names that do not exist are refused too.
+        """
+        errors: dict[str, str] = {}
+        good: dict[str, Any] = {}
+        for name, value in values.items():
+            problem = _problem(name, value)
+            if problem:
+                errors[str(name)[:40]] = problem
+            else:
+                good[name] = float(value) if isinstance(value, int | float) else value
+        low = good.get("lowest_frequency", self.lowest_frequency)
+        high = good.get("highest_frequency", self.highest_frequency)
+        if high - low < 0.4:
+            for name in ("lowest_frequency", "highest_frequency"):
+                if good.pop(name, None) is not None:
+                    errors[name] = "the highest θ/ωₙ must exceed the lowest by 0.4 or more"
+        self.param.update(**good)
+        return errors
+
+    def apply_preset(self, name: str) -> dict[str, str]:
+        """Set the parameters of a named preset."""
+        if name not in PRESETS:
+            return {"preset": f"no preset named {str(name)[:40]!r}"}
+        return self.change(PRESETS[name])
+
+
+_NAMES = tuple(name for name in State.param if name != "name")
+
+
+def _problem(name: Any, value: Any) -> str:
+    """Say what is wrong with a value, or nothing."""
+    if not isinstance(name, str) or name not in _NAMES:
+        return "unknown parameter"
+    parameter = State.param[name]
+    if isinstance(parameter, param.Selector):
+        if isinstance(value, str) and value in parameter.objects:
+            return ""
+        return "must be one of " + ", ".join(parameter.objects)
+    low, high = parameter.bounds
+    allowed = f"must be a number from {low:g} to {high:g}"
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return allowed
+    # the comparison is exact for integers of any length and false for nan
+    return "" if low <= value <= high else allowed
+
+
+def _values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
+    return {
+        "shear": rotor.shear,
+        "disk_mass": rotor.disk_mass,
+        "diametral_inertia": rotor.diametral_inertia,
+        "polar_inertia": rotor.polar_inertia,
+        **others,
+    }
+
+
+_START = {
+    name: State.param[name].default
+    for name in ("load_type", "static_load_factor", "spin_speed", "reference")
+}
+
+PRESETS: dict[str, dict[str, Any]] = {
+    "Base case": _values(BASE_CASE, **_START),
+    "Euler–Bernoulli twin": _values(EULER_BERNOULLI_TWIN, **_START),
+    "Table 1, at rest": _values(
+        _TABLE_1, load_type="axial", static_load_factor=0.5, spin_speed=0.0, reference="buckling"
+    ),
+    "Table 1, 1000 rpm": _values(
+        _TABLE_1,
+        load_type="axial",
+        static_load_factor=0.5,
+        spin_speed=_THOUSAND_RPM,
+        reference="buckling",
+    ),
+}
+"""Named settings. Chart ranges are left as they are."""

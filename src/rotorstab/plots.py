@@ -1,0 +1,195 @@
+"""Charts drawn with HoloViews, for the dashboard (Bokeh), notebooks and print (Matplotlib).
+
+The only module here that imports HoloViews. `element` draws any `charts.Chart`; `columns`
+gives what a drawn layer's data source holds, so that a live chart is patched, not rebuilt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import holoviews as hv
+import numpy as np
+from bokeh.models import HoverTool
+
+from .charts import ROLES, Chart, Layer
+
+__all__ = ["columns", "element"]
+
+
+_SIDES: Mapping[str, Mapping[str, Any]] = {
+    "left": {"align": "right", "baseline": "middle", "dx": -5, "dy": 0},
+    "right": {"align": "left", "baseline": "middle", "dx": 5, "dy": 0},
+    "upper left": {"align": "right", "baseline": "bottom", "dx": -4, "dy": -2},
+    "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
+}
+_TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
+
+
+def columns(layer: Layer) -> dict[str, Any]:
+    """Return the Bokeh data-source columns of one layer, by the names HoloViews gives them."""
+    data = layer.columns
+    if layer.kind == "regions":
+        # MultiPolygons nest: polygon, then its outer ring
+        return {
+            "xs": [[[x]] for x in data["xs"]],
+            "ys": [[[y]] for y in data["ys"]],
+            "name": list(data["name"]),
+        }
+    if layer.kind == "lines":
+        roles = [ROLES[role] for role in data["role"]]
+        return {
+            "xs": list(data["xs"]),
+            "ys": list(data["ys"]),
+            "name": list(data["name"]),
+            "color": [role.color for role in roles],
+            "dash": [role.dash for role in roles],
+            "width": [role.width for role in roles],
+        }
+    result = {"x": np.asarray(data["x"]), "y": np.asarray(data["y"]), "name": list(data["name"])}
+    if layer.kind == "labels":
+        sides = [_SIDES[side] for side in data["side"]]
+        result |= {key: [side[key] for side in sides] for key in ("align", "baseline", "dx", "dy")}
+    return result
+
+
+def _apply_line_styles(plot: Any, _: Any) -> None:
+    """Let every line of a layer take its own colour, dash and width from the source."""
+    glyph = plot.handles["glyph"]
+    glyph.line_color, glyph.line_dash, glyph.line_width = (
+        {"field": name} for name in ("color", "dash", "width")
+    )
+    glyph.line_cap = "butt"
+
+
+def _apply_hatch(plot: Any, _: Any) -> None:
+    """Hatch the regions: shading alone is too faint a sign."""
+    plot.handles["glyph"].update(
+        hatch_pattern="right_diagonal_line",
+        hatch_color="#8a93a0",
+        hatch_alpha=0.3,
+        hatch_scale=9,
+        hatch_weight=0.8,
+    )
+
+
+def _apply_label_places(plot: Any, _: Any) -> None:
+    """Let every label stand on its own side of its point."""
+    plot.handles["glyph"].update(
+        text_align={"field": "align"},
+        text_baseline={"field": "baseline"},
+        x_offset={"field": "dx"},
+        y_offset={"field": "dy"},
+        background_fill_color="white",
+        background_fill_alpha=0.7,
+    )
+
+
+def _hover(chart: Chart) -> HoverTool:
+    """Return a hover tool that names the mark and gives the point in the chart's symbols."""
+    return HoverTool(
+        tooltips=[
+            ("", "@name"),
+            (chart.x_label.split()[-1], "$x{0.000}"),
+            (chart.y_label.split()[-1], "$y{0.000}"),
+        ],
+        line_policy="nearest",
+        visible=False,
+    )
+
+
+def _finish(plot: Any, _: Any) -> None:
+    """Settle what HoloViews has no option for."""
+    figure = plot.state
+    figure.toolbar.logo = None
+    figure.toolbar.active_drag = next(
+        tool for tool in figure.toolbar.tools if type(tool).__name__ == "BoxZoomTool"
+    )
+    figure.toolbar.active_scroll = None
+
+
+def _draw(chart: Chart, layer: Layer) -> hv.Element:
+    """Return one layer's HoloViews element, styled for Bokeh."""
+    data = columns(layer)
+    label = layer.label
+    if layer.kind == "regions":
+        paths = [
+            {"x": xs[0][0], "y": ys[0][0], "name": name}
+            for xs, ys, name in zip(*data.values(), strict=True)
+        ]
+        shape = hv.Polygons(paths, vdims=["name"], label=label)
+        return shape.opts(
+            hv.opts.Polygons(
+                color="#8a93a0",
+                fill_alpha=0.28,
+                line_alpha=0.0,
+                hooks=[_apply_hatch],
+                backend="bokeh",
+            )
+        )
+    if layer.kind == "lines":
+        extra = ["name", "color", "dash", "width"]
+        rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
+        paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]
+        lines = hv.Contours(paths, vdims=extra, label=label)
+        return lines.opts(
+            hv.opts.Contours(
+                hooks=[_apply_line_styles],
+                tools=[_hover(chart)],
+                show_legend=False,
+                backend="bokeh",
+            )
+        )
+    marks = (data["x"], data["y"], data["name"])
+    if layer.kind == "points":
+        return hv.Points(marks, vdims=["name"], label=label).opts(
+            hv.opts.Points(
+                marker="diamond",
+                size=10,
+                color=ROLES["current"].color,
+                line_color="white",
+                tools=[_hover(chart)],
+                backend="bokeh",
+            )
+        )
+    return hv.Labels(marks, vdims=["name"], label=label).opts(
+        hv.opts.Labels(
+            text_font_size="9pt",
+            text_font_style="bold",
+            text_color="#6b7280",
+            hooks=[_apply_label_places],
+            backend="bokeh",
+        )
+    )
+
+
+def element(chart: Chart) -> hv.Overlay:
+    """Return the chart as a HoloViews overlay, one element a layer.
+
+    Parameters
+    ----------
+    chart : Chart
+        From `rotorstab.charts`.
+
+    Returns
+    -------
+    holoviews.Overlay
+        Styled for the Bokeh backend; axis labels are the paper's symbols.
+    """
+    return hv.Overlay([_draw(chart, layer) for layer in chart.layers]).opts(
+        hv.opts.Overlay(
+            title="",
+            xlabel=chart.x_label,
+            ylabel=chart.y_label,
+            xlim=chart.x_range,
+            ylim=chart.y_range,
+            show_legend=False,
+            responsive=True,
+            min_height=240,
+            toolbar="above",
+            default_tools=_TOOLS,
+            hooks=[_finish],
+            backend="bokeh",
+        )
+    )
