@@ -37,10 +37,11 @@ LONGEST_LOG_LINE = 2000
 LONGEST_VALUE = 300
 
 HEADERS = {
-    # Bokeh's CustomJS needs 'unsafe-eval' and its pages have inline scripts without nonces.
+    # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
+    # components are fetched from blobs.
     "Content-Security-Policy": (
         "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
-        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; "
+        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' blob:; "
         "frame-ancestors 'none'; object-src 'none'; base-uri 'self'; form-action 'self'"
     ),
     "Cross-Origin-Opener-Policy": "same-origin",
