@@ -10,8 +10,7 @@ RUN /opt/rotorstab/bin/python -m pip install --require-hashes --requirement requ
 COPY pyproject.toml README.md LICENSE ./
 COPY src src
 RUN /opt/rotorstab/bin/python -m pip install --no-deps --no-build-isolation . \
-    && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling trove-classifiers pathspec pip \
-    && /opt/rotorstab/bin/python -m compileall -q /opt/rotorstab
+    && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling trove-classifiers pathspec pip
 
 # hadolint ignore=DL3006
 FROM ${BASE}
