@@ -1,0 +1,58 @@
+# Set-up and every check of the project. `make serve` and `make test` need only Python >= 3.11 and
+# make; both install what they use into .venv, and install it again only where the pins changed.
+
+VENV := .venv
+PY := $(VENV)/bin/python
+ADDRESS ?= 127.0.0.1
+PORT ?= 5006
+PIP := $(PY) -m pip --disable-pip-version-check --no-input
+COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
+	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
+
+.PHONY: help serve test lint unit bench screenshots lock clean
+.DEFAULT_GOAL := help
+
+help: ## this list
+	@grep -E '^[a-z]+:.*## ' $(firstword $(MAKEFILE_LIST)) | sed 's/:.*## /\t/' | expand -t 14
+
+serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
+	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) deploy/start.sh
+
+test: lint ## every check and test, with a browser (found, or installed)
+	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest
+
+lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file
+	$(PY) -m ruff check
+	$(PY) -m ruff format --check
+	$(PY) -m mypy
+	$(VENV)/bin/lint-imports
+	$(VENV)/bin/hadolint Dockerfile
+	$(VENV)/bin/check-jsonschema --builtin-schema vendor.compose-spec compose.yaml
+
+unit: $(VENV)/dev.stamp ## the tests that need no browser
+	$(PY) -m pytest -m "not browser"
+
+bench: $(VENV)/dev.stamp ## time the solver and the redraw
+	$(PY) -m benchmarks
+
+screenshots: $(VENV)/dev.stamp ## write the pictures of the README
+	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m docs.screenshots
+
+lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
+	$(PIP) install --quiet uv
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra dev --constraint requirements/pins.txt \
+		--output-file requirements/dev.txt pyproject.toml requirements/build.in
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --constraint requirements/dev.txt \
+		--output-file requirements/serve.txt pyproject.toml requirements/build.in
+
+clean: ## remove the environment and all caches
+	rm -rf $(VENV) .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(PY):
+	@python="$$(deploy/python.sh)" && "$$python" -m venv $(VENV)
+
+$(VENV)/%.stamp: requirements/%.txt pyproject.toml | $(PY)
+	$(PIP) install --quiet --require-hashes --requirement $<
+	$(PIP) install --quiet --no-deps --no-build-isolation --editable .
+	@touch $@

@@ -1,0 +1,366 @@
+"""The shipped start script and hardening on a real server with a small throw-away app."""
+
+import asyncio
+import contextlib
+import http.client
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from tornado.httpclient import HTTPClientError, HTTPRequest
+from tornado.websocket import websocket_connect
+
+START = Path(__file__).parents[1] / "deploy" / "start.sh"
+APP = '''
+import panel as pn
+import panel_material_ui as pmui
+
+class Part(pn.custom.JSComponent):
+    _esm = """export function render() {
+        const part = document.createElement("p")
+        part.innerText = "rendered here"
+        return part
+    }"""
+
+if "fail" in pn.state.session_args:
+    raise RuntimeError("a detail of the failure")
+text = pn.widgets.TextInput(value=str(pn.state.location.query_params))
+pn.Column(text, pn.pane.Markdown("throw-away"), Part(), pmui.Button(label="press")).servable()
+'''
+LIMIT = 3
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class Server:
+    """A server of the app, started by the start script and ended by its own process id."""
+
+    def __init__(self, folder, limit):
+        (folder / "module_that_exits.py").write_text("raise SystemExit(3)\n")
+        app = folder / "tiny.py"
+        app.write_text(APP)
+        self.port = free_port()
+        self.log = folder / "log.txt"
+        environment = os.environ | {
+            "PYTHON": sys.executable,
+            "PYTHONPATH": str(folder),
+            "ADDRESS": "127.0.0.1",
+            "PORT": str(self.port),
+            "ROTORSTAB_MAX_SESSIONS": str(limit),
+            "ROTORSTAB_ORIGINS": f"localhost:{self.port},lab.example",
+        }
+        environment.pop("BOKEH_SECRET_KEY", None)
+        with self.log.open("w") as log:
+            self.process = subprocess.Popen(
+                ["sh", START, app], env=environment, stdout=log, stderr=subprocess.STDOUT
+            )
+
+    def wait(self):
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and self.process.poll() is None:
+            try:
+                self.get("/liveness")
+            except OSError:
+                time.sleep(0.1)
+            else:
+                return
+        pytest.fail("the server did not start:\n" + self.log.read_text())
+
+    def get(self, path, method="GET", **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
+        try:
+            connection.request(method, path, headers=headers)
+            reply = connection.getresponse()
+            return reply.status, reply.headers, reply.read().decode()
+        finally:
+            connection.close()
+
+    def token(self, path="/tiny"):
+        status, _, page = self.get(path)
+        assert status == 200
+        return re.search(r'"token":"([^"]+)"', page)[1]
+
+    @contextlib.asynccontextmanager
+    async def connect(self, token, **headers):
+        """An open socket, closed and drained at the end."""
+        request = HTTPRequest(f"ws://127.0.0.1:{self.port}/tiny/ws", headers=headers)
+        connection = await websocket_connect(request, subprotocols=["bokeh", token])
+        try:
+            yield connection
+        finally:
+            connection.close()
+            while await asyncio.wait_for(connection.read_message(), 10) is not None:
+                pass
+
+    async def exchange(self, token, *parts, **headers):
+        """Read the ACK's header, metadata and content, send a message, read its answer."""
+        async with self.connect(token, **headers) as connection:
+            first = [await asyncio.wait_for(connection.read_message(), 10) for _ in range(3)]
+            for part in parts:
+                await connection.write_message(part)
+            answer = [await asyncio.wait_for(connection.read_message(), 10) for _ in parts]
+        return first, answer
+
+    def refusal(self, token, **headers):
+        """Status with which the handshake is refused."""
+
+        async def attempt():
+            with pytest.raises(HTTPClientError) as refused:
+                async with self.connect(token, **headers):
+                    pass
+            return refused.value.code
+
+        return asyncio.run(attempt())
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait(20)
+
+
+@pytest.fixture(scope="module")
+def servers(tmp_path_factory):
+    started = [
+        Server(tmp_path_factory.mktemp("many"), 60),
+        Server(tmp_path_factory.mktemp("few"), LIMIT),
+    ]
+    try:
+        for server in started:
+            server.wait()
+        yield started
+    finally:
+        for server in started:
+            server.stop()
+
+
+@pytest.fixture
+def server(servers):
+    return servers[0]
+
+
+@pytest.fixture
+def small_server(servers):
+    return servers[1]
+
+
+@pytest.fixture
+def origin(server):
+    return f"http://localhost:{server.port}"
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/components/module_that_exits/Row/css/a.css",
+        "/components/panel.layout/Row/_css/a.css",
+        "/components/",
+        "/tiny/autoload.js?bokeh-autoload-element=1",
+        "/admin",
+        "/rest/session_info",
+    ],
+)
+def test_addresses_that_import_or_embed_are_not_there(server, path):
+    assert server.get(path)[0] == 404
+    assert server.get("/liveness")[0] == 200
+
+
+@pytest.mark.parametrize("path", ["/tiny", "/liveness", "/nowhere", "/static/js/bokeh.min.js"])
+def test_every_reply_carries_the_security_headers(server, path):
+    headers = server.get(path)[1]
+    policy = headers["Content-Security-Policy"]
+    assert "default-src 'self'" in policy
+    assert "frame-ancestors 'none'" in policy
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    assert headers["X-Frame-Options"] == "DENY"
+    assert headers["Server"] is None
+
+
+def test_the_page_names_no_other_host(server):
+    page = server.get("/tiny?bokeh-absolute-url=http://other.example/tiny")[2]
+    assert "other.example/static" not in page
+    assert re.findall(r'(?:src|href)="(?:https?:)?//[^"]*"', page) == []
+
+
+def test_a_link_cannot_choose_the_session(server):
+    status, _, page = server.get("/tiny?bokeh-session-id=chosen&bokeh-token=chosen")
+    assert status == 200
+    assert "token" in page
+
+
+def test_root_redirects_to_the_app(server):
+    status, headers, _ = server.get("/")
+    assert (status, headers["Location"]) == (302, "./tiny")
+
+
+def test_a_socket_of_a_listed_origin_opens_and_answers(server, origin):
+    first, _ = asyncio.run(server.exchange(server.token(), Origin=origin))
+    assert '"ACK"' in first[0]
+
+
+def test_a_socket_of_another_origin_is_refused(server):
+    token = server.token()
+    assert server.refusal(token, Origin="http://other.example") == 403
+    # The name that the attacker points at this server: Origin equals Host.
+    same = {"Host": "other.example", "Origin": "http://other.example"}
+    assert server.refusal(token, **same) == 403
+    same["Sec-Fetch-Site"] = "same-origin"
+    assert server.refusal(token, **same) == 403
+    assert server.refusal(token, Host="lab.example", Origin="null") == 403
+
+
+def test_a_socket_without_origin_is_refused(server):
+    assert server.refusal(server.token()) == 403
+
+
+@pytest.mark.parametrize("token", ["garbage", "e30", "e30.e30", "bnVsbA", "%00"])
+def test_a_socket_with_a_false_token_is_refused(server, origin, token):
+    assert server.refusal(token, Origin=origin) == 403
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "x=" + "9" * 5000,
+        "x=" + "9" * 310,
+        "x=%C2%B2",
+        "x=NaN&y=-Infinity",
+        "x=" + "[" * 3000,
+        "x=1?y=2",
+        "&" * 500,
+        "x=%ff",
+        "theme=%3Cimg%20onerror=alert(1)%3E",
+    ],
+)
+def test_a_hostile_query_still_gets_the_page(server, query):
+    status, _, page = server.get("/tiny?" + query)
+    assert status == 200
+    assert '"token":"' in page
+    assert "<img onerror" not in page
+
+
+def test_a_readable_query_value_beside_a_hostile_one_arrives(server, origin):
+    token = server.token("/tiny?good=2.5&bad=" + "9" * 5000)
+    pull = '{"msgid":"1","msgtype":"PULL-DOC-REQ"}', "{}", "{}"
+    _, (_, _, text) = asyncio.run(server.exchange(token, *pull, Origin=origin))
+    assert "'good': 2.5" in text
+    assert "9999'" not in text
+
+
+def test_a_failing_app_answers_500_without_its_traceback(server):
+    status, _, page = server.get("/tiny?fail=1")
+    assert status == 500
+    assert "Traceback" not in page
+    assert "detail" not in page
+    assert "a detail of the failure" in server.log.read_text()
+    assert server.get("/tiny")[0] == 200
+
+
+def test_an_error_reply_on_the_socket_has_no_traceback_and_a_short_log_line(server, origin):
+    event = {"kind": "ModelChanged", "model": {"id": "none"}, "attr": "a" * 900_000, "new": 1}
+    patch = '{"msgid":"1","msgtype":"PATCH-DOC"}', "{}", json.dumps({"events": [event]})
+    _, (header, _, content) = asyncio.run(server.exchange(server.token(), *patch, Origin=origin))
+    assert '"ERROR"' in header
+    assert "File " not in content
+    assert "Traceback" not in content
+    assert max(map(len, server.log.read_text().splitlines())) < 5000
+
+
+def test_head_answers_without_building_a_page(server):
+    for path in ("/tiny", "/liveness"):
+        status, _, body = server.get(path, method="HEAD")
+        assert (status, body) == (200, "")
+
+
+def test_the_log_says_where_and_holds_no_secret(server):
+    log = server.log.read_text()
+    assert f"http://127.0.0.1:{server.port}/" in log
+    assert "BOKEH_SECRET_KEY" not in log
+
+
+def test_places_are_limited_for_pages_and_sockets(small_server):
+    server = small_server
+    origin = f"http://localhost:{server.port}"
+    token = server.token()
+    for _ in range(LIMIT - 1):
+        assert server.get("/tiny")[0] == 200
+
+    status, headers, page = server.get("/tiny")
+    assert status == 503
+    assert int(headers["Retry-After"]) > 0
+    assert "places are taken" in page
+    # Liveness builds no document, whatever it is asked for; HEAD takes no place either.
+    assert server.get("/liveness?endpoint=/tiny")[0] == 200
+    assert server.get("/tiny", method="HEAD")[0] == 200
+
+    async def crowd():
+        async with contextlib.AsyncExitStack() as stack:
+            for _ in range(LIMIT - 1):
+                await stack.enter_async_context(server.connect(token, Origin=origin))
+            async with server.connect(token, Origin=origin):
+                with pytest.raises(HTTPClientError, match="503"):
+                    await stack.enter_async_context(server.connect(token, Origin=origin))
+            for _ in range(50):
+                try:
+                    return await stack.enter_async_context(server.connect(token, Origin=origin))
+                except HTTPClientError:
+                    await asyncio.sleep(0.1)
+            pytest.fail("the place of a closed socket stayed taken")
+
+    asyncio.run(crowd())
+
+
+@pytest.mark.parametrize("value", ["0", "many", "-1"])
+def test_a_senseless_limit_stops_the_start(value):
+    setup = START.with_name("setup.py")
+    done = subprocess.run(
+        [sys.executable, setup],
+        env=os.environ | {"ROTORSTAB_MAX_SESSIONS": value},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode != 0
+    assert f"must be an integer above 0, got '{value}'" in done.stderr
+
+
+def test_a_short_key_stops_the_start():
+    done = subprocess.run(
+        ["sh", START],
+        env=os.environ | {"BOKEH_SECRET_KEY": "short"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert "at least 32 characters, got 5" in done.stderr
+
+
+@pytest.mark.browser
+def test_the_policy_blocks_nothing_that_the_page_needs(server, origin):
+    from playwright.sync_api import sync_playwright
+
+    complaints, hosts = [], set()
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=os.environ.get("CHROMIUM") or None, args=["--no-sandbox"]
+        )
+        page = browser.new_page()
+        page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
+        page.on("pageerror", lambda error: complaints.append(str(error)))
+        page.on("request", lambda request: hosts.add(urlsplit(request.url).netloc))
+        page.goto(f"{origin}/tiny")
+        page.get_by_text("rendered here").wait_for(timeout=30_000)
+        page.get_by_role("button", name="press").wait_for(timeout=30_000)
+        browser.close()
+    assert complaints == []
+    assert hosts - {""} == {f"localhost:{server.port}"}
