@@ -125,9 +125,7 @@ def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
             inputs["largest_factor"],
         ),
         load_frequency_chart(_load_curves(rotor, spin, inputs["stiffness"]), static, limits),
-        campbell_chart(
-            _campbell(rotor, tangency, static), spin, critical_speeds(system, static)
-        ),
+        campbell_chart(_campbell(rotor, tangency, static), spin, critical_speeds(system, static)),
     )
     return Result(
         charts={chart.key: chart for chart in charts},

@@ -28,7 +28,9 @@ def legend(roles: tuple[str, ...]) -> Markup:
             Markup(
                 '<li><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
                 'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
-            ).format(role.color, role.width, "" if role.dash == "solid" else role.dash, role.meaning)
+            ).format(
+                role.color, role.width, "" if role.dash == "solid" else role.dash, role.meaning
+            )
         )
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
 

@@ -74,4 +74,6 @@ class Session:
             self.notice = str(error)
         except Exception:
             _LOG.exception("redraw failed for %r", self.state.inputs())
-            self.notice = "these values could not be computed; the charts show the last ones that could"
+            self.notice = (
+                "these values could not be computed; the charts show the last ones that could"
+            )

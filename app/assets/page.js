@@ -14,16 +14,13 @@ window.rotorstab = (() => {
     if (!window.Bokeh) return;
     const ink = token("--ink"), soft = token("--soft"), grid = token("--chart-grid"), card = token("--card");
     const quiet = { sync: false };
-    const fonts = { axis_label_text_font_style: "italic", axis_label_text_font_size: "15px", major_label_text_font_size: "12px" };
     for (const view_document of Bokeh.documents) {
       for (const top of view_document.roots()) {
         for (const model of top.references()) {
           switch (model.type.split(".").pop()) {
-            case "Figure":
-              model.setv({ background_fill_color: card, border_fill_color: card, outline_line_color: grid }, quiet); break;
             case "LinearAxis":
-              model.setv({ axis_line_color: soft, major_tick_line_color: soft, minor_tick_line_color: null,
-                major_label_text_color: soft, axis_label_text_color: ink, ...fonts }, quiet); break;
+              model.setv({ axis_line_color: soft, major_tick_line_color: soft, major_label_text_color: soft,
+                axis_label_text_color: ink }, quiet); break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
             case "Text":
@@ -82,6 +79,7 @@ window.rotorstab = (() => {
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
     setTheme(root.dataset.theme, false);
-  });
+    // es-module-shims fires the event a second time
+  }, { once: true });
   return page;
 })();

@@ -11,6 +11,7 @@ from ..live import LiveChart
 
 __all__ = ["Explore"]
 
+
 class Explore:
     """The three live charts of one session."""
 

@@ -182,9 +182,7 @@ def instability_chart(
             share = (column[place] - left) / (right - left)
             side = "right" if share < 0.08 or (name.endswith("F") and share < 0.92) else "left"
             rows.append((float(column[place]), float(factor[place]), name, side))
-    polygons = [
-        polygon / (fundamental_frequency, reference_load) for polygon in bolotin.regions
-    ]
+    polygons = [polygon / (fundamental_frequency, reference_load) for polygon in bolotin.regions]
     regions = {
         "xs": [polygon[:, 0] for polygon in polygons],
         "ys": [polygon[:, 1] for polygon in polygons],

@@ -107,6 +107,15 @@ def _finish(plot: Any, _: Any) -> None:
         tool for tool in figure.toolbar.tools if type(tool).__name__ == "BoxZoomTool"
     )
     figure.toolbar.active_scroll = None
+    # the page's own ground shows through, light or dark
+    figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
+    for axis in figure.axis:
+        axis.update(
+            axis_label_text_font_style="normal",
+            axis_label_text_font_size="14px",
+            major_label_text_font_size="12px",
+            minor_tick_line_color=None,
+        )
 
 
 def _draw(chart: Chart, layer: Layer) -> hv.Element:
