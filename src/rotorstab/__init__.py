@@ -1,7 +1,8 @@
 """Parametric instability of a cantilever shaft–disk rotor under a pulsating load."""
 
 from .bolotin import BolotinChart, bolotin_chart, boundary_frequencies, in_bolotin_region
-from .critical import critical_load, flutter_load
+from .critical import beck_load, critical_load, flutter_load
+from .finite_element import finite_element
 from .rotor import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from .stiffness import exact_stiffness, linear_stiffness
 from .system import System, fundamental_frequency, lumped
@@ -24,12 +25,14 @@ __all__ = [
     "ShaftDisk",
     "System",
     "WhirlCurves",
+    "beck_load",
     "bolotin_chart",
     "boundary_frequencies",
     "campbell_diagram",
     "critical_load",
     "critical_speeds",
     "exact_stiffness",
+    "finite_element",
     "flutter_load",
     "fundamental_frequency",
     "in_bolotin_region",

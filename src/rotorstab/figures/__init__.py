@@ -1,0 +1,43 @@
+"""Every figure of the paper as data, with what the text says of it."""
+
+from collections.abc import Callable
+
+from .coefficients import figure_2, figure_3
+from .conclusions import CONCLUSIONS
+from .load_frequency import figure_8
+from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
+from .structure import Figure, Panel, Region, Series, Statement
+from .table import Row, Table, table_1
+
+__all__ = [
+    "CONCLUSIONS",
+    "FIGURES",
+    "Figure",
+    "Panel",
+    "Region",
+    "Row",
+    "Series",
+    "Statement",
+    "Table",
+    "figure_2",
+    "figure_3",
+    "figure_4",
+    "figure_5",
+    "figure_6",
+    "figure_7",
+    "figure_8",
+    "figure_9",
+    "table_1",
+]
+
+FIGURES: dict[int, Callable[..., Figure]] = {
+    2: figure_2,
+    3: figure_3,
+    4: figure_4,
+    5: figure_5,
+    6: figure_6,
+    7: figure_7,
+    8: figure_8,
+    9: figure_9,
+}
+"""The function of each figure by its number."""

@@ -1,0 +1,273 @@
+"""Figures 4, 5, 6, 7 and 9: Bolotin regions in the plane of θ/ω_n and β_d."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..critical import critical_load
+from ..finite_element import finite_element
+from ..rotor import BASE_CASE, TABLE_1_SI, ShaftDisk
+from ..system import fundamental_frequency, lumped
+from .region_panels import Variant, region_panel
+from .region_readings import (
+    read_figure_4,
+    read_figure_5,
+    read_figure_6,
+    read_figure_7,
+    read_figure_9,
+)
+from .structure import Figure, Style, parameters
+
+__all__ = ["figure_4", "figure_5", "figure_6", "figure_7", "figure_9"]
+
+_STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot")
+_SPINS = (0.0, 1.0, 2.0)
+_FACTORS = (0.0, 0.2, 0.5)
+
+
+def figure_4(
+    static_factor: float = 0.5,
+    speeds_rpm: Sequence[float] = (0.0, 1000.0),
+    elements: int = 20,
+    modes: int = 6,
+    largest_factor: float = 1.0,
+) -> Figure:
+    """Return Fig. 4: the lumped model against finite elements, Table 1's rotor.
+
+    Parameters
+    ----------
+    static_factor : float
+        α_s.
+    speeds_rpm : sequence of float
+        Ω [rev/min], a panel each.
+    elements, modes : int
+        Of `finite_element`; 6 modes are within 2e-5 of all.
+    largest_factor : float
+        Top of the β_d axis.
+
+    Returns
+    -------
+    Figure
+        ω_n is the lumped model's, as Table 1 has it, for both models.
+    """
+    rotor, scales = ShaftDisk.from_si(**TABLE_1_SI)
+    reference = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    panels = []
+    for letter, rpm in zip("abcdef", speeds_rpm, strict=False):
+        spin = rpm * 2 * math.pi / 60 / scales.frequency
+        variants = [
+            Variant("present", "solid", lumped(rotor, spin), static_factor, reference),
+            Variant(
+                "finite element",
+                "dashed",
+                finite_element(rotor, spin, elements=elements, modes=modes),
+                static_factor,
+                reference,
+            ),
+        ]
+        title = f"Ω = {rpm:g} r.p.m."
+        panels.append(region_panel(letter, title, variants, frequency, largest_factor))
+    return Figure(
+        number=4,
+        title=f"Bolotin regions by two models, α_s = {static_factor:g}",
+        caption="Solid: present (lumped) model. Dashed: finite elements.",
+        parameters=parameters(
+            rotor,
+            tangency=0.0,
+            static_load_factor=static_factor,
+            speeds_rpm=list(speeds_rpm),
+            elements=elements,
+            modes=modes,
+            reference_load=reference,
+            fundamental_frequency=frequency,
+        ),
+        panels=tuple(panels),
+        reading=read_figure_4(tuple(panels), rotor),
+    )
+
+
+def figure_5(
+    rotor: ShaftDisk = BASE_CASE,
+    spin_speeds: Sequence[float] = _SPINS,
+    static_factor: float = 0.5,
+    largest_factor: float = 1.0,
+) -> Figure:
+    """Return Fig. 5: Timoshenko against Euler–Bernoulli shaft, axial load.
+
+    Parameters
+    ----------
+    rotor : ShaftDisk
+        The Timoshenko rotor.
+    spin_speeds : sequence of float
+        Ω̄, a panel each.
+    static_factor : float
+        α_s.
+    largest_factor : float
+        Top of the β_d axis.
+
+    Returns
+    -------
+    Figure
+        ω_n and the load factors' p̄_cr are the Timoshenko rotor's for both shafts. The text
+        says so of ω_n only; with each shaft's own p̄_cr the left Euler–Bernoulli boundary
+        of a spinning rotor would lie nearer to the β_d axis, against the text.
+    """
+    reference = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    twin = replace(rotor, shear=0.0)
+    panels = []
+    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+        variants = [
+            Variant(group, style, lumped(shaft, spin), static_factor, reference)
+            for group, style, shaft in zip(
+                ("Timoshenko", "Euler–Bernoulli"), _STYLES, (rotor, twin), strict=False
+            )
+        ]
+        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
+    return Figure(
+        number=5,
+        title=f"Effect of shear deformation, axial load, α_s = {static_factor:g}",
+        caption="Solid: Timoshenko beam theory. Dashed: Euler–Bernoulli beam theory.",
+        parameters=parameters(
+            rotor,
+            tangency=0.0,
+            static_load_factor=static_factor,
+            spin_speeds=list(spin_speeds),
+            reference_load=reference,
+            fundamental_frequency=frequency,
+        ),
+        panels=tuple(panels),
+        reading=read_figure_5(tuple(panels), rotor, static_factor),
+    )
+
+
+def _static_factor_figure(
+    number: int,
+    tangency: float,
+    rotor: ShaftDisk,
+    spin_speeds: Sequence[float],
+    static_factors: Sequence[float],
+    largest_factor: float,
+) -> Figure:
+    """Return Fig. 6 or 7 without its reading."""
+    reference = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    panels = []
+    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+        system = lumped(rotor, spin, tangency)
+        variants = [
+            Variant(f"α_s = {factor:g}", style, system, factor, reference)
+            for factor, style in zip(static_factors, _STYLES, strict=False)
+        ]
+        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
+    kind = "follower" if tangency else "axial"
+    lines = "; ".join(
+        f"{style.replace('dashdot', 'dash-dot')}: α_s = {factor:g}"
+        for factor, style in zip(static_factors, _STYLES, strict=False)
+    )
+    return Figure(
+        number=number,
+        title=f"Effect of the static load factor, {kind} load",
+        caption=f"{lines[0].upper()}{lines[1:]}.",
+        parameters=parameters(
+            rotor,
+            tangency=tangency,
+            static_load_factors=list(static_factors),
+            spin_speeds=list(spin_speeds),
+            reference_load=reference,
+            fundamental_frequency=frequency,
+        ),
+        panels=tuple(panels),
+    )
+
+
+def figure_6(
+    rotor: ShaftDisk = BASE_CASE,
+    spin_speeds: Sequence[float] = _SPINS,
+    static_factors: Sequence[float] = _FACTORS,
+    largest_factor: float = 1.0,
+) -> Figure:
+    """Return Fig. 6: effect of the static load factor, axial load.
+
+    Parameters
+    ----------
+    rotor : ShaftDisk
+    spin_speeds : sequence of float
+        Ω̄, a panel each.
+    static_factors : sequence of up to three floats
+        α_s, a line style each.
+    largest_factor : float
+        Top of the β_d axis.
+
+    Returns
+    -------
+    Figure
+    """
+    figure = _static_factor_figure(6, 0.0, rotor, spin_speeds, static_factors, largest_factor)
+    return replace(figure, reading=read_figure_6(figure.panels))
+
+
+def figure_7(
+    rotor: ShaftDisk = BASE_CASE,
+    spin_speeds: Sequence[float] = _SPINS,
+    static_factors: Sequence[float] = _FACTORS,
+    largest_factor: float = 1.0,
+) -> Figure:
+    """Return Fig. 7: effect of the static load factor, follower load; see `figure_6`.
+
+    The load factors are measured by the static buckling load here too.
+    """
+    figure = _static_factor_figure(7, 1.0, rotor, spin_speeds, static_factors, largest_factor)
+    return replace(figure, reading=read_figure_7(figure.panels))
+
+
+def figure_9(
+    rotor: ShaftDisk = BASE_CASE,
+    spin_speeds: Sequence[float] = _SPINS,
+    static_factor: float = 0.5,
+    largest_factor: float = 1.0,
+) -> Figure:
+    """Return Fig. 9: axial against follower load at one static load factor.
+
+    Parameters
+    ----------
+    rotor : ShaftDisk
+    spin_speeds : sequence of float
+        Ω̄, a panel each.
+    static_factor : float
+        α_s.
+    largest_factor : float
+        Top of the β_d axis.
+
+    Returns
+    -------
+    Figure
+    """
+    reference = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    panels = []
+    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+        variants = [
+            Variant(group, style, lumped(rotor, spin, tangency), static_factor, reference)
+            for group, style, tangency in zip(
+                ("axial force", "follower force"), _STYLES, (0.0, 1.0), strict=False
+            )
+        ]
+        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
+    return Figure(
+        number=9,
+        title=f"Effect of the loading type, α_s = {static_factor:g}",
+        caption="Solid: axial force. Dashed: follower force.",
+        parameters=parameters(
+            rotor,
+            static_load_factor=static_factor,
+            spin_speeds=list(spin_speeds),
+            reference_load=reference,
+            fundamental_frequency=frequency,
+        ),
+        panels=tuple(panels),
+        reading=read_figure_9(tuple(panels)),
+    )

@@ -1,0 +1,166 @@
+"""What a figure of the paper is, as data: panels of named arrays, and a reading."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..rotor import ShaftDisk
+
+__all__ = ["Figure", "Panel", "Region", "Series", "Statement", "Style", "Verdict", "parameters"]
+
+Array = NDArray[np.float64]
+Style = Literal["solid", "dashed", "dashdot", "dotted"]
+Verdict = Literal["agree", "differ", "agree in part"]
+Value = float | str | list[float] | None
+
+
+def _frozen(values: ArrayLike) -> Array:
+    """Return a read-only copy."""
+    array = np.array(values, dtype=np.float64)
+    array.flags.writeable = False
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One line of a panel.
+
+    Parameters
+    ----------
+    name : str
+        Unique in its panel.
+    group : str
+        The variant it belongs to: one legend entry.
+    style : {"solid", "dashed", "dashdot", "dotted"}
+        As in the paper's caption; dotted are complex pairs, which the paper does not mark.
+    x, y : (m,) float
+        NaN where the line has a gap.
+    """
+
+    name: str
+    group: str
+    style: Style
+    x: Array
+    y: Array
+
+    def __post_init__(self) -> None:
+        """Make the arrays read-only."""
+        object.__setattr__(self, "x", _frozen(self.x))
+        object.__setattr__(self, "y", _frozen(self.y))
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """One shaded polygon (x, y), each (m,) float, closed from last to first point."""
+
+    name: str
+    group: str
+    style: Style
+    x: Array
+    y: Array
+
+    def __post_init__(self) -> None:
+        """Make the arrays read-only."""
+        object.__setattr__(self, "x", _frozen(self.x))
+        object.__setattr__(self, "y", _frozen(self.y))
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """One part of a figure.
+
+    Parameters
+    ----------
+    letter, title : str
+        Such as "a" and "Ω̄ = 0".
+    x_label, y_label : str
+        Symbols.
+    x_unit, y_unit : str
+        "-" where there is none.
+    series, regions : tuple
+        What is drawn.
+    labels : tuple of (float, float, str)
+        Texts beside lines.
+    x_range, y_range : (float, float)
+        Of the axes.
+    """
+
+    letter: str
+    title: str
+    x_label: str
+    y_label: str
+    x_unit: str
+    y_unit: str
+    series: tuple[Series, ...]
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+    regions: tuple[Region, ...] = ()
+    labels: tuple[tuple[float, float, str], ...] = ()
+
+    def group(self, name: str) -> tuple[Series, ...]:
+        """Return the series of one group."""
+        return tuple(one for one in self.series if one.group == name)
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One thing that the text says of a figure, against our numbers.
+
+    Parameters
+    ----------
+    text : str
+        What the paper says, in short.
+    ours : str
+        What was computed, with its numbers.
+    verdict : {"agree", "differ", "agree in part"}
+    note : str
+        Why they differ, or how far the statement goes; may be empty.
+    """
+
+    text: str
+    ours: str
+    verdict: Verdict
+    note: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A figure of the paper, computed.
+
+    Parameters
+    ----------
+    number : int
+        2 to 9.
+    title, caption : str
+        What it shows; the caption names the line styles.
+    parameters : mapping
+        Plain values that made it.
+    panels : tuple of Panel
+    reading : tuple of Statement
+        What the text says of it, with our numbers, computed from these very arrays.
+    """
+
+    number: int
+    title: str
+    caption: str
+    parameters: Mapping[str, Value]
+    panels: tuple[Panel, ...]
+    reading: tuple[Statement, ...] = ()
+
+    def panel(self, letter: str) -> Panel:
+        """Return the panel of that letter."""
+        return next(panel for panel in self.panels if panel.letter == letter)
+
+    def groups(self) -> dict[str, Style]:
+        """Return every group with its line style, in the order of drawing."""
+        return {one.group: one.style for panel in self.panels for one in panel.series}
+
+
+def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
+    """Return a rotor's fields and other plain values as one mapping."""
+    return {**asdict(rotor), **others}

@@ -1,0 +1,49 @@
+"""Verdicts, and the common arithmetic of readings."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .structure import Array, Panel, Verdict
+
+__all__ = ["boundaries", "groups", "judge", "percent", "right_of", "say"]
+
+_MODES = ("1B", "1F", "2B", "2F")
+
+
+def judge(*facts: bool | np.bool_) -> Verdict:
+    """Return "agree" where all facts hold, "differ" where none does."""
+    if all(facts):
+        return "agree"
+    return "agree in part" if any(facts) else "differ"
+
+
+def say(fact: bool | np.bool_, yes: str, no: str) -> str:
+    """Return the words that the fact calls for."""
+    return yes if fact else no
+
+
+def boundaries(panel: Panel, group: str, modes: tuple[str, ...] = _MODES) -> Array:
+    """Return θ/ω_n (modes, 21) of one group's boundaries at 21 even β_d of the panel.
+
+    NaN where a boundary is not real.
+    """
+    factors = np.linspace(*panel.y_range, 21)
+    lines = {one.name.rsplit(", ", 1)[1]: one for one in panel.group(group)}
+    return np.array([np.interp(factors, lines[mode].y, lines[mode].x) for mode in modes])
+
+
+def right_of(one: Array, other: Array) -> bool:
+    """Return whether one lies at or right of the other wherever both are real."""
+    both = np.isfinite(one) & np.isfinite(other)
+    return bool((one[both] >= other[both] - 1e-9).all() and both.any())
+
+
+def groups(panel: Panel) -> list[str]:
+    """Return the names of a panel's groups, in the order of drawing."""
+    return list(dict.fromkeys(one.group for one in panel.series))
+
+
+def percent(value: float) -> str:
+    """Write a fraction as a percentage."""
+    return f"{100 * value:.1f} %"
