@@ -24,21 +24,26 @@ from rotorstab import (
     fundamental_frequency,
     load_frequency_curves,
     lumped,
-    whirl_frequencies,
 )
-from rotorstab.charts import Chart, campbell_chart, instability_chart, load_frequency_chart
+from rotorstab.charts import (
+    Chart,
+    campbell_chart,
+    error_loads,
+    instability_chart,
+    load_frequency_chart,
+    stiffness_charts,
+)
 from rotorstab.stiffness import largest_exact_load
 
 from .state import State
 
-__all__ = ["CHARTS", "Result", "solve"]
+__all__ = ["CHARTS", "Result", "error_table", "solve", "stiffness_comparison"]
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
 LOADS = 400
 SPEEDS = 200
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
-TANGENCY = {"axial": 0.0, "follower": 1.0}
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,15 +79,20 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
 
 
 @lru_cache(maxsize=128)
-def _load_curves(rotor: ShaftDisk, spin_speed: float, stiffness: str) -> dict[str, WhirlCurves]:
+def _load_curves(
+    rotor: ShaftDisk, spin_speed: float, tangency: float, stiffness: str
+) -> dict[str, WhirlCurves]:
     loads = _loads(rotor, spin_speed)
+    kinds = {"axial": 0.0, "follower": 1.0}
+    if tangency not in kinds.values():
+        kinds["partly"] = tangency
     laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
     return {
         kind + (" exact" if law == "exact" else ""): load_frequency_curves(
-            lumped(rotor, spin_speed, tangency, stiffness=law), loads
+            lumped(rotor, spin_speed, share, stiffness=law), loads
         )
         for law in laws
-        for kind, tangency in TANGENCY.items()
+        for kind, share in kinds.items()
     }
 
 
@@ -105,7 +115,7 @@ def _frequencies(system: System, load: float) -> dict[str, list[float]]:
 def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
     inputs = dict(items)
     rotor: ShaftDisk = inputs["rotor"]
-    spin, tangency = inputs["spin_speed"], TANGENCY[inputs["load_type"]]
+    spin, tangency = inputs["spin_speed"], inputs["tangency"]
     buckling, frequency, flutter_at_rest = _rotor_numbers(rotor)
     reference = buckling if inputs["reference"] == "buckling" else flutter_at_rest
     if not np.isfinite(reference):
@@ -124,7 +134,9 @@ def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
             (inputs["lowest_frequency"], inputs["highest_frequency"]),
             inputs["largest_factor"],
         ),
-        load_frequency_chart(_load_curves(rotor, spin, inputs["stiffness"]), static, limits),
+        load_frequency_chart(
+            _load_curves(rotor, spin, tangency, inputs["stiffness"]), static, limits
+        ),
         campbell_chart(_campbell(rotor, tangency, static), spin, critical_speeds(system, static)),
     )
     return Result(
@@ -152,5 +164,23 @@ def solve(state: State) -> Result:
     inputs = state.inputs()
     for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia"):
         inputs.pop(name)
-    inputs["rotor"] = state.rotor()
+    inputs |= {"rotor": state.rotor(), "tangency": state.effective_tangency()}
+    del inputs["load_type"]
     return _solve(tuple(inputs.items()))
+
+
+@lru_cache(maxsize=128)
+def stiffness_comparison(shear: float, tangency: float) -> dict[str, Chart]:
+    """Return the charts of exact against linear coefficients by key.
+
+    The load range is the paper's: ±p̄_cr axial, ±12.3 follower, in between by μ.
+    """
+    reach = float(critical_load(shear)) * (1 + tangency * 4.2)
+    return {chart.key: chart for chart in stiffness_charts(shear, tangency, (-reach, reach))}
+
+
+@lru_cache(maxsize=128)
+def error_table(shear: float, tangency: float) -> list[list[float]]:
+    """Return [tension 1 %, compression 1 %, tension 5 %, compression 5 %] of k̄₁₁ and k̄₂₂."""
+    one, five = (error_loads(shear, tangency, level) for level in (0.01, 0.05))
+    return [[*map(float, one[i, i]), *map(float, five[i, i])] for i in (0, 1)]

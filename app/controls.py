@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import panel as pn
 import param
@@ -20,7 +20,7 @@ __all__ = ["Controls"]
 _ASSETS = Path(__file__).parent / "assets"
 
 GROUPS = (
-    ("Load", True, ("load_type", "static_load_factor", "reference")),
+    ("Load", True, ("load_type", "tangency", "static_load_factor", "reference")),
     ("Rotor", True, ("spin_speed", "shear", "disk_mass", "diametral_inertia", "polar_inertia")),
     (
         "Charts",
@@ -30,6 +30,7 @@ GROUPS = (
 )
 WORDS = {
     "axial": "Axial",
+    "partly": "Partly",
     "follower": "Follower",
     "buckling": "Buckling load",
     "flutter": "Flutter load",
@@ -64,7 +65,7 @@ class Controls(pn.custom.JSComponent):
     presets = param.List(doc="Names of the presets.")
 
     _esm = _ASSETS / "controls.js"
-    _stylesheets = [_ASSETS / "controls.css"]
+    _stylesheets: ClassVar[list[Path]] = [_ASSETS / "controls.css"]
 
     def __init__(self, respond: Callable[[Mapping[str, Any]], dict[str, Any]]) -> None:
         self._respond = respond

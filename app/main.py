@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from rotorstab.charts import ROLES
 
+from .pages import PAGES
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
@@ -16,6 +17,8 @@ LEGENDS = {
     "instability": ("backward", "forward"),
     "load_frequency": ("axial", "follower", "growing", "limit", "current"),
     "campbell": ("backward", "forward", "synchronous", "current"),
+    "coefficients": ("exact", "linear"),
+    "errors": ("k11", "k22", "level"),
 }
 
 
@@ -35,9 +38,26 @@ def legend(roles: tuple[str, ...]) -> Markup:
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
 
 
+def layout() -> str:
+    """Return the Jinja text of the whole document, every page's layout in its section."""
+    sections = [
+        f'<section class="page" data-page="{page.key}" aria-label="{page.title}"'
+        f"{' hidden' if index else ''}>{page.fragment()}</section>"
+        for index, page in enumerate(PAGES)
+    ]
+    links = [f'<a href="#{page.key}">{page.title}</a>' for page in PAGES]
+    text = (ASSETS / "page.html").read_text(encoding="utf-8")
+    return text.replace("<!-- pages -->", "".join(sections)).replace(
+        "<!-- links -->", "".join(links)
+    )
+
+
+LAYOUT = layout()
+
+
 def build() -> pn.Template:
     """Return a page of its own session."""
-    template = pn.Template((ASSETS / "page.html").read_text(encoding="utf-8"))
+    template = pn.Template(LAYOUT)
     template.title = "rotorstab"
     for name, root in Session().roots().items():
         template.add_panel(name, root)

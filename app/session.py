@@ -8,25 +8,29 @@ from typing import Any
 
 import panel as pn
 
-from .analysis import Result, solve
 from .controls import Controls
-from .pages import PAGES
+from .pages import PAGES, Page
 from .state import State
 
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
+_FAILED = "these values could not be computed; the charts show the last ones that could"
 
 
 class Session:
-    """Ties `State` to the pages; the only place where a message becomes a redraw."""
+    """Ties `State` to the pages; the only place where a message becomes a redraw.
+
+    Only the page in view is computed and patched; another one catches up when it is opened.
+    """
 
     def __init__(self) -> None:
         self.state = State()
-        self.result: Result = solve(self.state)
-        self.pages = {page.key: page(self.result) for page in PAGES}
+        self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
+        self.active = PAGES[0].key
         self.controls = Controls(self.respond)
         self.notice = ""
+        self.redraw()
 
     def roots(self) -> dict[str, Any]:
         """Return everything the template embeds."""
@@ -38,42 +42,42 @@ class Session:
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Act on one message and describe the state that follows."""
         errors: dict[str, str] = {}
-        kind = message.get("type")
-        values = message.get("values")
+        kind, values, name = (message.get(key) for key in ("type", "values", "name"))
         if kind == "change" and isinstance(values, Mapping):
             errors = self.state.change(values)
         elif kind == "preset":
-            errors = self.state.apply_preset(str(message.get("name")))
+            errors = self.state.apply_preset(name)
         elif kind == "reset":
-            self.state.change({n: State.param[n].default for n in self.state.inputs()})
-            self.view_reset()
+            self.state.reset()
+            self.reset_view()
         elif kind == "view":
-            self.view_reset()
-        self.redraw()
-        return {
+            self.reset_view()
+        elif kind == "page" and isinstance(name, str) and name in self.pages:
+            self.active = name
+        answer = self.redraw()
+        return answer | {
             "values": self.state.inputs(),
             "errors": errors,
-            "numbers": self.result.numbers,
             "notice": self.notice,
+            "page": self.active,
         }
 
-    def view_reset(self) -> None:
+    def reset_view(self) -> None:
         """Undo every zoom on every page."""
         for page in self.pages.values():
             page.reset_view()
 
-    def redraw(self) -> None:
+    def redraw(self) -> dict[str, Any]:
         """Solve and patch; a failure is told and leaves the last good picture."""
+        page = self.pages[self.active]
         try:
             with pn.io.hold():
-                self.result = solve(self.state)
-                for page in self.pages.values():
-                    page.show(self.result)
+                page.show(self.state)
             self.notice = ""
+            return page.answer(self.state)
         except ValueError as error:
             self.notice = str(error)
         except Exception:
             _LOG.exception("redraw failed for %r", self.state.inputs())
-            self.notice = (
-                "these values could not be computed; the charts show the last ones that could"
-            )
+            self.notice = _FAILED
+        return {}

@@ -20,6 +20,7 @@ _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 _THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
 
 SYMBOLS = {
+    "tangency": "μ",
     "static_load_factor": "α_s",
     "spin_speed": "Ω̄",
     "shear": "Φ",
@@ -37,9 +38,16 @@ class State(param.Parameterized):
 
     load_type = param.Selector(
         default="axial",
-        objects=["axial", "follower"],
+        objects=["axial", "partly", "follower"],
         label="Load type",
-        doc="Axial keeps its direction; a follower load turns with the tip of the shaft.",
+        doc="Axial keeps its direction; a follower load turns with the tip; partly: by a share μ.",
+    )
+    tangency = param.Number(
+        default=0.5,
+        bounds=(0.0, 1.0),
+        step=0.01,
+        label="Tangency",
+        doc="How much of the tip's slope a partly follower load takes: 0 axial, 1 follower.",
     )
     static_load_factor = param.Number(
         default=0.5,
@@ -81,7 +89,7 @@ class State(param.Parameterized):
         bounds=(0.0, 6.0),
         step=0.02,
         label="Polar inertia",
-        doc="The disk's moment of inertia about the shaft, over ρAL³. A rigid body has at most 2 Ī_D.",
+        doc="The disk's inertia about the shaft, over ρAL³. At most 2 Ī_D for a rigid body.",
     )
     reference = param.Selector(
         default="buckling",
@@ -122,6 +130,14 @@ class State(param.Parameterized):
         """Return every input by name."""
         return {name: getattr(self, name) for name in _NAMES}
 
+    def effective_tangency(self) -> float:
+        """Return μ of the chosen load type."""
+        return {"axial": 0.0, "follower": 1.0}.get(self.load_type, self.tangency)
+
+    def reset(self) -> None:
+        """Return every input to its default."""
+        self.param.update(**{name: State.param[name].default for name in _NAMES})
+
     def rotor(self) -> ShaftDisk:
         """Return the rotor of the present inputs."""
         return ShaftDisk(
@@ -152,12 +168,15 @@ class State(param.Parameterized):
             for name in ("lowest_frequency", "highest_frequency"):
                 if good.pop(name, None) is not None:
                     errors[name] = "the highest θ/ωₙ must exceed the lowest by 0.4 or more"
+        if "tangency" in good:
+            # the slider means a partly follower load
+            good.setdefault("load_type", "partly")
         self.param.update(**good)
         return errors
 
-    def apply_preset(self, name: str) -> dict[str, str]:
+    def apply_preset(self, name: Any) -> dict[str, str]:
         """Set the parameters of a named preset."""
-        if name not in PRESETS:
+        if not isinstance(name, str) or name not in PRESETS:
             return {"preset": f"no preset named {str(name)[:40]!r}"}
         return self.change(PRESETS[name])
 

@@ -2,6 +2,7 @@
 window.rotorstab = (() => {
   const root = document.documentElement;
   const page = {};
+  const seen = new Set();
 
   // -- theme: stored choice, else the system's; charts follow ----------------
   const stored = (() => { try { return localStorage.getItem("rotorstab-theme"); } catch { return null; } })();
@@ -45,8 +46,7 @@ window.rotorstab = (() => {
     return value.toPrecision(5).replace("-", "−");
   }
 
-  page.answer = (data) => {
-    const numbers = data.numbers || {};
+  function showNumbers(numbers) {
     for (const place of document.querySelectorAll("[data-number]")) place.textContent = number(numbers[place.dataset.number]);
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
@@ -57,12 +57,43 @@ window.rotorstab = (() => {
         place.append(extra);
       }
     }
-    const notes = [data.notice, numbers.rigid ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
+    page.rigid = numbers.rigid;
+  }
+
+  function showErrors(rows) {
+    rows.forEach((row, index) => {
+      const cells = document.querySelectorAll(`[data-error-row="${index}"] td`);
+      row.forEach((value, column) => { cells[column].textContent = value === null ? "—" : number(value); });
+    });
+  }
+
+  // -- pages: the address' hash names the one in view -------------------------
+  function visit() {
+    const sections = [...document.querySelectorAll("[data-page]")];
+    const wanted = location.hash.slice(1);
+    const chosen = sections.find((section) => section.dataset.page === wanted) || sections[0];
+    for (const section of sections) section.hidden = section !== chosen;
+    for (const link of document.querySelectorAll("nav a")) {
+      if (link.hash.slice(1) === chosen.dataset.page) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
+    }
+    if (page.send) page.send({ type: "page", name: chosen.dataset.page });
+  }
+
+  page.answer = (data) => {
+    if (data.numbers) showNumbers(data.numbers);
+    if (data.errors_table) showErrors(data.errors_table);
+    const notes = [data.notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
     notice.textContent = notes.join(" ");
     page.last = data;
-    if (!page.painted) { page.painted = true; paintCharts(); }
+    if (!seen.has(data.page)) {
+      // its charts were made just now; the page in the address may not be the first one
+      seen.add(data.page);
+      for (const delay of [0, 60, 400]) setTimeout(paintCharts, delay);
+      if (!page.painted) { page.painted = true; if (location.hash.length > 1) visit(); }
+    }
   };
 
   document.addEventListener("DOMContentLoaded", () => {
@@ -78,6 +109,8 @@ window.rotorstab = (() => {
     document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
+    window.addEventListener("hashchange", visit);
+    visit();
     setTheme(root.dataset.theme, false);
     // es-module-shims fires the event a second time
   }, { once: true });

@@ -1,7 +1,9 @@
 """The pages of the dashboard, in the order of the navigation."""
 
+from .base import Page
 from .explore import Explore
+from .stiffness import Stiffness
 
-__all__ = ["PAGES"]
+__all__ = ["PAGES", "Page"]
 
-PAGES = (Explore,)
+PAGES: tuple[type[Page], ...] = (Explore, Stiffness)

@@ -4,36 +4,26 @@ from __future__ import annotations
 
 from typing import Any
 
-import panel as pn
+from rotorstab.charts import Chart
 
-from ..analysis import Result
-from ..live import LiveChart
+from ..analysis import CHARTS, solve
+from ..state import State
+from .base import Page
 
 __all__ = ["Explore"]
 
 
-class Explore:
-    """The three live charts of one session."""
+class Explore(Page):
+    """The three live charts and the key numbers."""
 
     key = "explore"
     title = "Explore"
+    chart_keys = CHARTS
 
-    def __init__(self, result: Result) -> None:
-        self.charts = {key: LiveChart(chart) for key, chart in result.charts.items()}
+    def compute(self, state: State) -> dict[str, Chart]:
+        """Return the three charts."""
+        return solve(state).charts
 
-    def roots(self) -> dict[str, Any]:
-        """Return the panes by the name under which the template places them."""
-        return {
-            key.replace("-", "_"): pn.pane.Bokeh(chart.figure, sizing_mode="stretch_both")
-            for key, chart in self.charts.items()
-        }
-
-    def show(self, result: Result) -> None:
-        """Patch every chart to a new result."""
-        for key, chart in result.charts.items():
-            self.charts[key].show(chart)
-
-    def reset_view(self) -> None:
-        """Undo every zoom."""
-        for chart in self.charts.values():
-            chart.reset_view()
+    def answer(self, state: State) -> dict[str, Any]:
+        """Return the key numbers."""
+        return {"numbers": solve(state).numbers}

@@ -22,6 +22,7 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "left": {"align": "right", "baseline": "middle", "dx": -5, "dy": 0},
     "right": {"align": "left", "baseline": "middle", "dx": 5, "dy": 0},
     "upper left": {"align": "right", "baseline": "bottom", "dx": -4, "dy": -2},
+    "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
     "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
 }
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]

@@ -1,0 +1,66 @@
+"""What every page of the dashboard offers to the session."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, ClassVar
+
+import panel as pn
+
+from rotorstab.charts import Chart
+
+from ..live import LiveChart
+from ..state import State
+
+__all__ = ["Page"]
+
+_FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
+
+
+class Page:
+    """A page with live charts, built when it is first opened.
+
+    A subclass gives `key`, `title`, the keys of its charts, `compute` and perhaps `answer`.
+    Its layout is the HTML file of its key in `assets/pages`.
+    """
+
+    key: ClassVar[str]
+    title: ClassVar[str]
+    chart_keys: ClassVar[tuple[str, ...]] = ()
+
+    def __init__(self) -> None:
+        self.charts: dict[str, LiveChart] = {}
+        self._places = {
+            key: pn.Column(sizing_mode="stretch_both", margin=0) for key in self.chart_keys
+        }
+
+    @classmethod
+    def fragment(cls) -> str:
+        """Return the page's Jinja text, which embeds its roots by name."""
+        return (_FRAGMENTS / f"{cls.key}.html").read_text(encoding="utf-8")
+
+    def roots(self) -> dict[str, Any]:
+        """Return the page's Panel roots by the name its layout uses."""
+        return {f"{self.key}_{key}".replace("-", "_"): one for key, one in self._places.items()}
+
+    def compute(self, state: State) -> dict[str, Chart]:
+        """Return the page's charts for the present inputs."""
+        raise NotImplementedError
+
+    def answer(self, state: State) -> dict[str, Any]:
+        """Return what else the browser needs, as plain values."""
+        return {}
+
+    def show(self, state: State) -> None:
+        """Build the charts on the first call, patch them on every later one."""
+        for key, chart in self.compute(state).items():
+            if key in self.charts:
+                self.charts[key].show(chart)
+            else:
+                live = self.charts[key] = LiveChart(chart)
+                self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
+
+    def reset_view(self) -> None:
+        """Undo every zoom."""
+        for chart in self.charts.values():
+            chart.reset_view()

@@ -1,0 +1,35 @@
+"""Stiffness: exact against linear influence coefficients (Figs 2 and 3, for any Φ and μ)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rotorstab.charts import Chart
+
+from ..analysis import error_table, stiffness_comparison
+from ..state import State
+from .base import Page
+
+__all__ = ["Stiffness"]
+
+
+class Stiffness(Page):
+    """Four coefficients, the error of the linear law, and where it reaches 1 % and 5 %."""
+
+    key = "stiffness"
+    title = "Stiffness"
+    chart_keys = ("k11", "k12", "k21", "k22", "errors")
+
+    def compute(self, state: State) -> dict[str, Chart]:
+        """Return the five charts."""
+        return stiffness_comparison(state.shear, state.effective_tangency())
+
+    def answer(self, state: State) -> dict[str, Any]:
+        """Return the table of loads at which an error level is reached; null where none is."""
+        rows = [
+            [value if np.isfinite(value) else None for value in row]
+            for row in error_table(state.shear, state.effective_tangency())
+        ]
+        return {"errors_table": rows}

@@ -1,0 +1,96 @@
+"""Write pictures of every page, at three widths, light and dark: `python -m docs.screenshots [DIR]`.
+
+Serves the dashboard on a free loopback port and photographs it with headless Chromium.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+from playwright.sync_api import Browser, sync_playwright
+
+from tests.browser import find_browser
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = ("explore", "stiffness")
+SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "phone": (390, 844)}
+FLAGS = (
+    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
+    "--disable-background-networking --disable-component-update --disable-sync"
+).split()
+
+
+def serve() -> tuple[subprocess.Popen[bytes], str]:
+    """Start the dashboard; return its process and address."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    process = subprocess.Popen(
+        [str(ROOT / "deploy" / "start.sh")],
+        env=os.environ | {"PORT": str(port), "PYTHON": sys.executable},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    address = f"http://127.0.0.1:{port}"
+    for _ in range(120):
+        try:
+            with urllib.request.urlopen(f"{address}/liveness", timeout=2):
+                return process, f"{address}/app"
+        except OSError:
+            time.sleep(0.5)
+    os.killpg(process.pid, signal.SIGTERM)
+    raise SystemExit("the dashboard did not start; try `make serve` to see why")
+
+
+def photograph(browser: Browser, address: str, page: str, size: str, theme: str, to: Path) -> None:
+    """Save one picture of a page as a user first sees it."""
+    width, height = SIZES[size]
+    context = browser.new_context(
+        viewport={"width": width, "height": height}, color_scheme=theme, device_scale_factor=1
+    )
+    tab = context.new_page()
+    tab.goto(f"{address}#{page}")
+    tab.wait_for_function(
+        "window.rotorstab && window.rotorstab.last?.page === location.hash.slice(1)"
+    )
+    tab.wait_for_timeout(1500)
+    full = tab.evaluate("document.documentElement.scrollHeight")
+    tab.set_viewport_size({"width": width, "height": max(height, full)})
+    tab.wait_for_timeout(700)
+    tab.screenshot(path=to)
+    context.close()
+
+
+def main(folder: str = "docs/images") -> None:
+    """Write one picture for each page, size and theme into a folder."""
+    chromium = find_browser()
+    if chromium is None:
+        raise SystemExit("no Chromium found: set CHROMIUM=/path/to/chrome")
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    process, address = serve()
+    try:
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+            for page in PAGES:
+                for size in SIZES:
+                    for theme in ("light", "dark"):
+                        to = target / f"{page}-{size}-{theme}.png"
+                        photograph(browser, address, page, size, theme, to)
+                        print(to)
+            browser.close()
+    finally:
+        os.killpg(process.pid, signal.SIGTERM)
+        process.wait()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:2])

@@ -1,0 +1,21 @@
+"""Charts as data: what is drawn, before any drawing library.
+
+A `Chart` is a frozen description (axes, layers of named columns). `plots` draws it, the
+dashboard patches its columns, a table export writes them: all three see the same arrays.
+"""
+
+from .explore import campbell_chart, instability_chart, load_frequency_chart
+from .stiffness import error_loads, stiffness_charts
+from .structure import ROLES, Chart, Layer, Role
+
+__all__ = [
+    "ROLES",
+    "Chart",
+    "Layer",
+    "Role",
+    "campbell_chart",
+    "error_loads",
+    "instability_chart",
+    "load_frequency_chart",
+    "stiffness_charts",
+]

@@ -1,0 +1,173 @@
+"""The three charts of the Explore page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..bolotin import BolotinChart
+from ..whirl import CriticalSpeeds, WhirlCurves
+from .structure import Chart, Layer, Lines, label_columns, mark_columns, symmetric
+
+__all__ = ["campbell_chart", "instability_chart", "load_frequency_chart"]
+
+
+def _direction(name: str) -> str:
+    return "forward" if name.endswith("F") else "backward"
+
+
+def instability_chart(
+    bolotin: BolotinChart,
+    fundamental_frequency: float,
+    reference_load: float,
+    frequency_range: tuple[float, float],
+    largest_factor: float,
+) -> Chart:
+    """Return Bolotin's regions in the paper's axes, θ/ω_n and β_d.
+
+    Parameters
+    ----------
+    bolotin : BolotinChart
+    fundamental_frequency : float
+        ω_n.
+    reference_load : float
+        What β_d = 1 stands for [EI/L²].
+    frequency_range : (float, float)
+        Of θ/ω_n.
+    largest_factor : float
+        Top of the β_d axis.
+    """
+    factor = bolotin.pulsating_load / reference_load
+    ratio = bolotin.frequency / fundamental_frequency
+    lines = Lines()
+    rows = []
+    left, right = frequency_range
+    for name, column in zip(bolotin.names, ratio.T, strict=True):
+        lines.add(column, factor, f"{name} boundary", _direction(name))
+        inside = np.flatnonzero(
+            (column >= left) & (column <= right) & (factor <= 0.97 * largest_factor)
+        )
+        if inside.size:
+            # modes 2, 3 … sit a step lower, so that 1F and 2B never collide
+            top = largest_factor * (0.97 - 0.08 * (int(name[:-1]) - 1))
+            place = inside[np.abs(factor[inside] - top).argmin()]
+            # away from the line's own region, unless the chart's edge is near
+            share = (column[place] - left) / (right - left)
+            side = "right" if share < 0.08 or (name.endswith("F") and share < 0.92) else "left"
+            rows.append((float(column[place]), float(factor[place]), name, side))
+    polygons = [polygon / (fundamental_frequency, reference_load) for polygon in bolotin.regions]
+    regions: dict[str, Sequence[Any]] = {
+        "xs": [polygon[:, 0] for polygon in polygons],
+        "ys": [polygon[:, 1] for polygon in polygons],
+        "name": ["Bolotin region"] * len(polygons),
+    }
+    return Chart(
+        key="instability",
+        title="Bolotin regions",
+        x_label="excitation frequency θ/ωₙ",
+        y_label="dynamic load factor β_d",
+        x_range=frequency_range,
+        y_range=(0.0, largest_factor),
+        layers=(
+            Layer("regions", "Bolotin region", regions),
+            Layer("lines", "boundary", lines.columns),
+            Layer("labels", "mode", label_columns(rows)),
+        ),
+    )
+
+
+def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float, float, str, str]]:
+    row = curves.frequencies[index]
+    return [
+        (float(curves.parameter[index]), float(value.real), name, side)
+        for value, name in zip(row, curves.names, strict=True)
+    ]
+
+
+def load_frequency_chart(
+    curves: Mapping[str, WhirlCurves],
+    static_load: float,
+    limits: Mapping[str, float],
+) -> Chart:
+    """Return signed whirl frequency against load (Fig. 8).
+
+    Parameters
+    ----------
+    curves : mapping of {"axial", "follower", "axial exact", "follower exact"} to WhirlCurves
+        What to draw; the first one's range is the chart's.
+    static_load : float
+        The present p̄₀, marked.
+    limits : mapping of str to float
+        Critical loads to mark by name; those out of range are left out.
+    """
+    first = next(iter(curves.values()))
+    x_range = (float(first.parameter[0]), float(first.parameter[-1]))
+    y_range = symmetric(max(float(np.abs(c.frequencies.real).max()) for c in curves.values()))
+    lines, marks = Lines(), Lines()
+    for role, one in curves.items():
+        lines.whirl(one, (role, role), f"{{}}, {role}")
+    marks.vertical(static_load, y_range, f"present static load, p̄₀ = {static_load:.4g}", "current")
+    rows = _mode_labels(first, 0, "upper right")
+    for name, load in limits.items():
+        if x_range[0] <= load <= x_range[1]:
+            marks.vertical(load, y_range, f"{name}, p̄ = {load:.5g}", "limit")
+            rows.append((load, y_range[0], name, "upper right"))
+    return Chart(
+        key="load-frequency",
+        title="Load–frequency curves",
+        x_label="steady load p̄",
+        y_label="whirl frequency ω̄",
+        x_range=x_range,
+        y_range=y_range,
+        layers=(
+            Layer("lines", "whirl", lines.columns),
+            Layer("lines", "marks", marks.columns),
+            Layer("labels", "mode", label_columns(rows)),
+        ),
+    )
+
+
+def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpeeds) -> Chart:
+    """Return signed whirl frequency against spin speed, with synchronous whirl.
+
+    Parameters
+    ----------
+    curves : WhirlCurves
+        Over spin speed.
+    spin_speed : float
+        The present Ω̄, marked.
+    critical : CriticalSpeeds
+    """
+    x_range = (float(curves.parameter[0]), float(curves.parameter[-1]))
+    y_range = symmetric(float(np.abs(curves.frequencies.real).max()))
+    lines, marks = Lines(), Lines()
+    lines.whirl(curves, ("backward", "forward"), "{}")
+    ends = np.array(x_range)
+    lines.add(ends, ends, "synchronous, ω̄ = Ω̄", "synchronous")
+    lines.add(ends, -ends, "synchronous, ω̄ = −Ω̄", "synchronous")
+    marks.vertical(spin_speed, y_range, f"present spin speed, Ω̄ = {spin_speed:.4g}", "current")
+    points = [
+        (float(speed), sign * float(speed), f"critical speed, Ω̄ = {speed:.4g} ({word})")
+        for sign, word, speeds in (
+            (1, "forward", critical.forward),
+            (-1, "backward", critical.backward),
+        )
+        for speed in speeds
+        if speed <= x_range[1]
+    ]
+    return Chart(
+        key="campbell",
+        title="Campbell diagram",
+        x_label="spin speed Ω̄",
+        y_label="whirl frequency ω̄",
+        x_range=x_range,
+        y_range=y_range,
+        layers=(
+            Layer("lines", "whirl", lines.columns),
+            Layer("lines", "marks", marks.columns),
+            Layer("points", "critical speeds", mark_columns(points)),
+            Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "upper left"))),
+        ),
+    )

@@ -1,0 +1,154 @@
+"""Exact against linear influence coefficients: four charts, their errors, and limits."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..critical import critical_load
+from ..stiffness import exact_stiffness, largest_exact_load, linear_stiffness
+from .structure import Chart, Layer, Lines, label_columns
+
+__all__ = ["error_loads", "stiffness_charts"]
+
+Array = NDArray[np.float64]
+ENTRIES = ((0, 0, "k̄₁₁"), (0, 1, "k̄₁₂"), (1, 0, "k̄₂₁"), (1, 1, "k̄₂₂"))
+LEVELS = (0.01, 0.05)
+_LARGEST_ERROR = 0.5  # most that the error chart shows
+_HEADROOM = 0.985  # how near to the pole the charts go
+
+
+def _both(loads: Array, shear: float, tangency: float) -> tuple[Array, Array]:
+    """Return the exact and the linear K (m, 2, 2)."""
+    elastic, geometric = linear_stiffness(shear, tangency)
+    return (
+        exact_stiffness(loads, shear, tangency),
+        elastic + loads[:, None, None] * geometric,
+    )
+
+
+def _errors(loads: Array, shear: float, tangency: float) -> Array:
+    """Return |linear − exact| over |k(0)|, (m, 2, 2)."""
+    exact, linear = _both(loads, shear, tangency)
+    return np.asarray(np.abs(linear - exact) / np.abs(linear_stiffness(shear, tangency)[0]))
+
+
+def error_loads(shear: float, tangency: float, level: float) -> Array:
+    """Return the tension and compression at which a coefficient's error reaches a level.
+
+    Parameters
+    ----------
+    shear, tangency : float
+        Φ in [0, 1) and μ in [0, 1].
+    level : float
+        Error as a share of the coefficient's value at p̄ = 0.
+
+    Returns
+    -------
+    (2, 2, 2) float
+        [row, column, (tension, compression)] loads p̄ [EI/L²]; −inf or inf where the level
+        is not reached within five times p̄_cr in tension, or before the pole in compression.
+
+    Raises
+    ------
+    ValueError
+        If Φ or μ is out of range.
+
+    Examples
+    --------
+    >>> error_loads(0.0192, 0.0, 0.01).shape
+    (2, 2, 2)
+    """
+    pole = float(largest_exact_load(shear))
+    ends = (-5 * float(critical_load(shear)), pole * _HEADROOM)
+    result = np.empty((2, 2, 2))
+    for side, end in enumerate(ends):
+        low, high = np.zeros((2, 2)), np.full((2, 2), end)
+        # errors grow away from 0: bisection for the four coefficients at once
+        reached = _errors(np.array([end]), shear, tangency)[0] >= level
+        for _ in range(40):
+            middle = (low + high) / 2
+            over = _errors(middle.ravel(), shear, tangency).reshape(2, 2, 2, 2)
+            here = np.einsum("ijij->ij", over) >= level
+            low, high = np.where(here, low, middle), np.where(here, middle, high)
+        result[..., side] = np.where(reached, high, np.copysign(np.inf, end))
+    return result
+
+
+def stiffness_charts(
+    shear: float, tangency: float, loads: tuple[float, float], points: int = 201
+) -> tuple[Chart, ...]:
+    """Return the charts of k̄₁₁, k̄₁₂, k̄₂₁, k̄₂₂ and of the linear law's errors.
+
+    Parameters
+    ----------
+    shear, tangency : float
+        Φ in [0, 1) and μ in [0, 1].
+    loads : (float, float)
+        Range of p̄ [EI/L²]; its upper end is cut below the pole of the exact formula.
+    points : int
+        Loads, 2 or more.
+
+    Returns
+    -------
+    tuple of Chart
+        Keys k11, k12, k21, k22, errors.
+
+    Raises
+    ------
+    ValueError
+        If Φ or μ is out of range.
+    """
+    top = min(loads[1], float(largest_exact_load(shear)) * _HEADROOM)
+    axis = np.linspace(loads[0], top, points)
+    exact, linear = _both(axis, shear, tangency)
+    x_range = (loads[0], top)
+    charts = []
+    for row, column, name in ENTRIES:
+        values = linear[:, row, column]
+        lines = Lines()
+        lines.add(axis, exact[:, row, column], f"{name}, exact", "exact")
+        lines.add(axis, values, f"{name}, linear", "linear")
+        # the linear law's span, with room: the exact one may run away at its pole
+        room = 0.35 * float(np.ptp(values)) + 0.5
+        charts.append(
+            Chart(
+                key=f"k{row + 1}{column + 1}",
+                title=name,
+                x_label="steady load p̄",
+                y_label=f"coefficient {name}",
+                x_range=x_range,
+                y_range=(float(values.min()) - room, float(values.max()) + room),
+                layers=(Layer("lines", "coefficient", lines.columns),),
+            )
+        )
+    errors = _errors(axis, shear, tangency)
+    lines = Lines()
+    rows = []
+    # force balance, k̄₁₁ + k̄₁₂ + k̄₂₁ = −(1 − μ)p̄, is linear in p̄: three of the errors are one
+    top_error = min(_LARGEST_ERROR, 1.1 * max(float(errors.max()), 0.055))
+    for entry, name, role, side in (
+        ((0, 0), "k̄₁₁, k̄₁₂, k̄₂₁", "k11", "lower left"),
+        ((1, 1), "k̄₂₂", "k22", "upper left"),
+    ):
+        error = errors[:, entry[0], entry[1]]
+        lines.add(axis, error, f"error of {name}", role)
+        last = int(np.flatnonzero(error <= top_error * 0.94)[-1])
+        rows.append((float(axis[last]), float(error[last]), name, side))
+    for level in LEVELS:
+        lines.add(np.array(x_range), np.array([level, level]), f"{level:.0%} of k̄(0)", "level")
+    charts.append(
+        Chart(
+            key="errors",
+            title="Error of the linear law",
+            x_label="steady load p̄",
+            y_label="error over k̄(0)",
+            x_range=x_range,
+            y_range=(0.0, top_error),
+            layers=(
+                Layer("lines", "errors", lines.columns),
+                Layer("labels", "names", label_columns(rows)),
+            ),
+        )
+    )
+    return tuple(charts)

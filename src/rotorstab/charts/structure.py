@@ -1,0 +1,143 @@
+"""What a chart is, as data: axes and layers of named columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..whirl import WhirlCurves
+
+__all__ = ["ROLES", "Chart", "Layer", "Lines", "Role", "label_columns", "mark_columns", "symmetric"]
+
+Array = NDArray[np.float64]
+_REAL = 1e-9  # |Im ω| below which a tracked frequency is drawn as real
+
+
+@dataclass(frozen=True)
+class Role:
+    """How lines of one meaning look; never by colour alone."""
+
+    color: str
+    dash: str  # "solid" or lengths in pixels
+    width: float
+    meaning: str
+
+
+# Okabe–Ito hues, each at least 3:1 on both the light and the dark ground
+ROLES: Mapping[str, Role] = {
+    "backward": Role("#1f7fbf", "9 5", 2.2, "backward whirl (B)"),
+    "forward": Role("#cf5a12", "solid", 2.2, "forward whirl (F)"),
+    "axial": Role("#1f7fbf", "solid", 2.2, "axial load"),
+    "follower": Role("#cf5a12", "9 5", 2.2, "follower load"),
+    "partly": Role("#0f8a6a", "8 4 2 4", 2.0, "partly follower load"),
+    "partly exact": Role("#0f8a6a", "2 4", 2.0, "partly follower, exact stiffness"),
+    "axial exact": Role("#1f7fbf", "2 4", 2.0, "axial, exact stiffness"),
+    "follower exact": Role("#cf5a12", "2 4 8 4", 1.6, "follower, exact stiffness"),
+    "growing": Role("#a8518a", "2 4", 2.6, "complex pair: Re ω̄ of a growing whirl"),
+    "synchronous": Role("#80868f", "8 4 2 4", 1.4, "synchronous, |ω̄| = Ω̄"),
+    "current": Role("#0f8a6a", "solid", 1.8, "present setting"),
+    "exact": Role("#1f7fbf", "solid", 2.2, "exact (Appendix A)"),
+    "linear": Role("#cf5a12", "9 5", 2.2, "linear (Appendix B)"),
+    "k11": Role("#1f7fbf", "solid", 2.2, "k̄₁₁, k̄₁₂ and k̄₂₁: one curve"),
+    "k22": Role("#a8518a", "8 4 2 4", 2.2, "k̄₂₂"),
+    "level": Role("#80868f", "9 5", 1.4, "1 % and 5 %"),
+    "limit": Role("#80868f", "9 5", 1.4, "buckling or flutter load"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One kind of mark with its columns.
+
+    Parameters
+    ----------
+    kind : {"regions", "lines", "points", "labels"}
+        regions and lines hold a list of arrays in `xs`, `ys`; the others one value a row
+        in `x`, `y`. All have a `name`; lines also a `role`, a key of `ROLES`; labels also a
+        `side` of their point.
+    label : str
+        Unique within its chart.
+    columns : mapping of str to sequence
+        Equal lengths.
+    """
+
+    kind: str
+    label: str
+    columns: Mapping[str, Sequence[Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class Chart:
+    """Axes and layers of one chart."""
+
+    key: str
+    title: str
+    x_label: str
+    y_label: str
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
+    layers: tuple[Layer, ...]
+
+    def layer(self, label: str) -> Layer:
+        """Return the layer of that label."""
+        return next(layer for layer in self.layers if layer.label == label)
+
+
+class Lines:
+    """Collects polylines into the columns of a "lines" layer."""
+
+    def __init__(self) -> None:
+        """Start empty."""
+        self.columns: dict[str, list[Any]] = {"xs": [], "ys": [], "name": [], "role": []}
+
+    def add(self, xs: Array, ys: Array, name: str, role: str) -> None:
+        """Add one polyline (m,), (m,) of a role."""
+        for key, value in zip(self.columns, (xs, ys, name, role), strict=True):
+            self.columns[key].append(value)
+
+    def vertical(self, x: float, y_range: tuple[float, float], name: str, role: str) -> None:
+        """Add a vertical line across the chart."""
+        self.add(np.array([x, x]), np.array(y_range), name, role)
+
+    def whirl(self, curves: WhirlCurves, roles: tuple[str, str], name: str) -> None:
+        """Add every mode: its real stretches in its role, complex ones as growing.
+
+        `roles` is for backward and forward modes; `name` has a place for the mode.
+        """
+        for column, mode in zip(curves.frequencies.T, curves.names, strict=True):
+            complex_ = np.abs(column.imag) > _REAL * np.abs(column)
+            real = np.where(complex_, np.nan, column.real)
+            self.add(curves.parameter, real, name.format(mode), roles[mode.endswith("F")])
+            if complex_.any():
+                # one sample more on each side, so that the stretches meet
+                near = complex_.copy()
+                near[1:] |= complex_[:-1]
+                near[:-1] |= complex_[1:]
+                pair = np.where(near, column.real, np.nan)
+                self.add(curves.parameter, pair, f"{name.format(mode)}, complex pair", "growing")
+
+
+def mark_columns(rows: Sequence[tuple[Any, ...]], *extra: str) -> dict[str, Sequence[Any]]:
+    """Return columns x, y, name and any extra ones from rows in that order."""
+    columns: list[Sequence[Any]] = [list(column) for column in zip(*rows, strict=True)]
+    columns = columns or [[] for _ in range(3 + len(extra))]
+    x, y, *words = columns
+    return {"x": np.array(x, float), "y": np.array(y, float)} | dict(
+        zip(("name", *extra), words, strict=True)
+    )
+
+
+def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:
+    """Return label columns of (x, y, text, side) rows; the side is where the text goes."""
+    return mark_columns(rows, "side")
+
+
+def symmetric(largest: float) -> tuple[float, float]:
+    """Return a range ±largest, rounded up to a step so that it rarely moves."""
+    step = 0.5 if largest < 4 else 2.0
+    top = step * float(np.ceil(largest * 1.08 / step))
+    return -top, top
