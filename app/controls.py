@@ -85,3 +85,7 @@ class Controls(pn.custom.JSComponent):
         sequence = data.get("seq")
         answer = self._respond(data)
         self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
+
+    def tell(self, content: Mapping[str, Any]) -> None:
+        """Send the browser something it did not wait for."""
+        self._send_msg(dict(content))

@@ -52,7 +52,19 @@ def layout() -> str:
     )
 
 
+FORMATS = ("pdf", "svg", "png", "csv", "json")
 LAYOUT = layout()
+
+
+def download(key: str) -> Markup:
+    """Return the export menu of a live chart."""
+    options = Markup("").join(
+        Markup('<option value="{}">{}</option>').format(kind, kind.upper()) for kind in FORMATS
+    )
+    return Markup(
+        '<select class="export" data-chart="{}" aria-label="Export this chart">'
+        '<option value="">Export …</option>{}</select>'
+    ).format(key, options)
 
 
 def build() -> pn.Template:
@@ -63,7 +75,9 @@ def build() -> pn.Template:
         template.add_panel(name, root)
     template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
     template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
+    template.add_variable("paper_script", Markup((ASSETS / "paper.js").read_text(encoding="utf-8")))
     template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
+    template.add_variable("download", download)
     return template
 
 

@@ -3,19 +3,35 @@
 from __future__ import annotations
 
 import logging
+from base64 import b64encode
 from collections.abc import Mapping
+from concurrent.futures import Future
+from contextlib import suppress
 from typing import Any
 
 import panel as pn
 
+from rotorstab.figures import FIGURES
+
 from .controls import Controls
+from .jobs import MIME, chart_file, figure_file
 from .pages import PAGES, Page
+from .pages.base import Reply
+from .printing import printer
 from .state import State
 
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
 _FAILED = "these values could not be computed; the charts show the last ones that could"
+
+
+def _file(name: str, kind: str, data: bytes) -> dict[str, Any]:
+    """Return a file as the browser takes it."""
+    return {
+        "told": f"{name} is ready",
+        "file": {"name": name, "mime": MIME[kind], "base64": b64encode(data).decode()},
+    }
 
 
 class Session:
@@ -42,6 +58,7 @@ class Session:
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Act on one message and describe the state that follows."""
         errors: dict[str, str] = {}
+        reply = Reply()
         kind, values, name = (message.get(key) for key in ("type", "values", "name"))
         if kind == "change" and isinstance(values, Mapping):
             errors = self.state.change(values)
@@ -54,13 +71,55 @@ class Session:
             self.reset_view()
         elif kind == "page" and isinstance(name, str) and name in self.pages:
             self.active = name
-        answer = self.redraw()
-        return answer | {
+        elif kind == "export":
+            reply = self.export(message)
+        else:
+            reply = self.pages[self.active].handle(message, self.state)
+        if reply.later is not None:
+            self._deliver(reply)
+        return self.redraw() | {
+            **reply.now,
             "values": self.state.inputs(),
             "errors": errors,
             "notice": self.notice,
             "page": self.active,
         }
+
+    def export(self, message: Mapping[str, Any]) -> Reply:
+        """Start making a file of a live chart or of a figure of the paper."""
+        kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
+        if kind not in MIME:
+            return Reply({"told": "no such file format"})
+        if chart in self.pages[self.active].charts:
+            name = f"rotorstab-{chart}.{kind}"
+            inputs = tuple(self.state.inputs().items())
+            later = printer.submit(chart_file, self.active, chart, inputs, kind)
+        elif number in FIGURES and not isinstance(number, bool):
+            name = f"rotorstab-figure-{number}.{kind}"
+            later = printer.submit(figure_file, number, kind)
+        else:
+            return Reply({"told": "no such chart"})
+        return Reply({"told": f"making {name} …"}, later, lambda data: _file(name, kind, data))
+
+    def _deliver(self, reply: Reply) -> None:
+        """Send what comes later, from the server's own loop, when it is there."""
+        document = pn.state.curdoc
+
+        def send(future: Future[Any]) -> None:
+            if future.cancelled() or future.exception() is not None:
+                _LOG.error(
+                    "picture failed", exc_info=None if future.cancelled() else future.exception()
+                )
+                content: Mapping[str, Any] = {"told": "the picture could not be made"}
+            else:
+                content = reply.wrap(future.result())
+            if document is None or not document.session_context:
+                return
+            with suppress(RuntimeError):  # the session may have ended meanwhile
+                document.add_next_tick_callback(lambda: self.controls.tell(content))
+
+        assert reply.later is not None
+        reply.later.add_done_callback(send)
 
     def reset_view(self) -> None:
         """Undo every zoom on every page."""

@@ -33,9 +33,9 @@ export function render({ model, el }) {
   // -- what the server answers ---------------------------------------------
   model.on("msg:custom", (answer) => {
     const data = answer.data ?? answer;
-    release(data.seq);
-    state.values = data.values;
-    for (const [name, row] of Object.entries(rows)) {
+    if (data.seq) release(data.seq);
+    if (data.values) state.values = data.values;
+    if (data.values) for (const [name, row] of Object.entries(rows)) {
       const error = (data.errors || {})[name] || "";
       row.say(error);
       if (!error && !(name in state.pending)) row.show(data.values[name]);

@@ -80,9 +80,22 @@ window.rotorstab = (() => {
     if (page.send) page.send({ type: "page", name: chosen.dataset.page });
   }
 
+  // -- short messages that go by themselves -----------------------------------
+  let telling = 0;
+  function tell(words) {
+    const toast = document.querySelector(".toast");
+    toast.textContent = words;
+    toast.hidden = !words;
+    clearTimeout(telling);
+    telling = setTimeout(() => { toast.hidden = true; }, 6000);
+  }
+
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
     if (data.errors_table) showErrors(data.errors_table);
+    page.paper.answer(data);
+    if (data.told !== undefined) tell(data.told);
+    if (!data.values) return;
     const notes = [data.notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;

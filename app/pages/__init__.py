@@ -2,8 +2,9 @@
 
 from .base import Page
 from .explore import Explore
+from .paper import Paper
 from .stiffness import Stiffness
 
 __all__ = ["PAGES", "Page"]
 
-PAGES: tuple[type[Page], ...] = (Explore, Stiffness)
+PAGES: tuple[type[Page], ...] = (Explore, Stiffness, Paper)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -12,9 +15,18 @@ from rotorstab.charts import Chart
 from ..live import LiveChart
 from ..state import State
 
-__all__ = ["Page"]
+__all__ = ["Page", "Reply"]
 
 _FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
+
+
+@dataclass(frozen=True)
+class Reply:
+    """What a page answers to a message of its own: now, and later when a picture is made."""
+
+    now: Mapping[str, Any] = field(default_factory=dict)
+    later: Future[Any] | None = None
+    wrap: Callable[[Any], Mapping[str, Any]] = dict
 
 
 class Page:
@@ -50,6 +62,10 @@ class Page:
     def answer(self, state: State) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
+
+    def handle(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Answer a message that only this page knows."""
+        return Reply()
 
     def show(self, state: State) -> None:
         """Build the charts on the first call, patch them on every later one."""

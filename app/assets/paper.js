@@ -1,0 +1,99 @@
+// The Paper page: figures on request, and downloads for every page.
+window.rotorstab.paper = (() => {
+  const page = window.rotorstab;
+  const place = (name) => document.querySelector(`[data-paper="${name}"]`);
+  let current = 0;
+
+  function row(cells, heads = 0) {
+    const tr = document.createElement("tr");
+    cells.forEach((cell, index) => {
+      const td = document.createElement(index < heads ? "th" : "td");
+      if (index < heads) td.scope = "row";
+      td.append(cell);
+      tr.append(td);
+    });
+    return tr;
+  }
+
+  function ask(number) {
+    current = number;
+    for (const button of document.querySelectorAll("[data-figure]")) button.setAttribute("aria-pressed", String(Number(button.dataset.figure) === number));
+    page.send({ type: "figure", number });
+  }
+
+  function show(figure) {
+    current = figure.number;
+    place("title").textContent = `Figure ${figure.number}. ${figure.title}`;
+    place("caption").textContent = figure.caption;
+    place("parameters").replaceChildren(...figure.parameters.map((pair) => row(pair, 1)));
+    place("reading").replaceChildren(...figure.reading.map((one) => {
+      const ours = document.createElement("div");
+      ours.textContent = one.ours;
+      if (one.note) {
+        const note = document.createElement("p");
+        note.className = "sub";
+        note.textContent = one.note;
+        ours.append(note);
+      }
+      const verdict = document.createElement("span");
+      verdict.className = `verdict ${one.verdict.replaceAll(" ", "-")}`;
+      verdict.textContent = one.verdict;
+      return row([one.text, ours, verdict]);
+    }));
+    place("settings").replaceChildren("Open in the live charts", ...figure.settings.map((setting) => {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = setting.label;
+      button.addEventListener("click", () => {
+        for (const [name, value] of Object.entries(setting.values)) page.change(name, value);
+        location.hash = setting.page;
+      });
+      return button;
+    }));
+    place("downloads").hidden = false;
+    const waiting = document.createElement("p");
+    waiting.className = "sub";
+    waiting.textContent = "Drawing …";
+    place("picture").replaceChildren(waiting);
+  }
+
+  function picture({ number, svg }) {
+    if (number !== current) return;
+    const image = document.createElement("img");
+    image.alt = place("title").textContent;
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+    place("picture").replaceChildren(image);
+  }
+
+  function save({ name, mime, base64 }) {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([bytes], { type: mime }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  document.addEventListener("DOMContentLoaded", () => {
+    for (const button of document.querySelectorAll("[data-figure]")) button.addEventListener("click", () => ask(Number(button.dataset.figure)));
+    for (const button of place("downloads").querySelectorAll("button")) {
+      button.addEventListener("click", () => page.send({ type: "export", number: current, format: button.dataset.format }));
+    }
+    for (const select of document.querySelectorAll("select.export")) {
+      select.addEventListener("change", () => {
+        if (select.value) page.send({ type: "export", chart: select.dataset.chart, format: select.value });
+        select.value = "";
+      });
+    }
+  }, { once: true });
+
+  return {
+    answer(data) {
+      if (data.figure) show(data.figure);
+      if (data.table_1) place("table").replaceChildren(...data.table_1.map((cells) => row(cells, 1)));
+      if (data.picture) picture(data.picture);
+      if (data.file) save(data.file);
+      if (data.page === "paper" && !current) ask(6);
+    },
+  };
+})();

@@ -1,0 +1,110 @@
+"""Paper: every figure, its parameters, what the text says of it, what the numbers show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from typing import Any
+
+from rotorstab.figures import FIGURES, Figure, table_1
+
+from ..jobs import figure_file
+from ..printing import printer
+from ..state import PRESETS, State
+from .base import Page, Reply
+
+__all__ = ["Paper"]
+
+_FIELDS = ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
+
+
+@cache
+def _figure(number: int) -> Figure:
+    return FIGURES[number]()
+
+
+def _settings(figure: Figure) -> list[dict[str, Any]]:
+    """Return what to set on the Explore (or Stiffness) page for each panel of a figure."""
+    given = figure.parameters
+    common: dict[str, Any] = {name: given[name] for name in _FIELDS if name in given}
+    common["load_type"] = "follower" if given.get("tangency") else "axial"
+    common["reference"] = "buckling"
+    factors = given.get("static_load_factors", given.get("static_load_factor"))
+    if factors is not None:
+        common["static_load_factor"] = factors[-1] if isinstance(factors, list) else factors
+    if figure.number in (2, 3):
+        return [{"label": "Open on the Stiffness page", "page": "stiffness", "values": common}]
+    if figure.number == 4:
+        presets = ("Table 1, at rest", "Table 1, 1000 rpm")
+        return [
+            {"label": f"({panel.letter}) {panel.title}", "page": "explore", "values": PRESETS[name]}
+            for panel, name in zip(figure.panels, presets, strict=True)
+        ]
+    return [
+        {
+            "label": f"({panel.letter}) {panel.title}",
+            "page": "explore",
+            "values": {**common, "spin_speed": speed},
+        }
+        for panel, speed in zip(figure.panels, given["spin_speeds"], strict=True)
+    ]
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, list):
+        return ", ".join(map(_shown, value))
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def describe(number: int) -> dict[str, Any]:
+    """Return a figure's words and numbers as plain values for the browser."""
+    figure = _figure(number)
+    return {
+        "number": number,
+        "title": figure.title,
+        "caption": figure.caption,
+        "parameters": [
+            [name.replace("_", " "), _shown(value)] for name, value in figure.parameters.items()
+        ],
+        "reading": [
+            {"text": one.text, "ours": one.ours, "verdict": one.verdict, "note": one.note}
+            for one in figure.reading
+        ],
+        "settings": _settings(figure),
+    }
+
+
+def describe_table() -> list[list[str]]:
+    """Return the rows of Table 1: quantity, symbol, unit, paper, ours."""
+    return [
+        [
+            row.name,
+            row.symbol,
+            row.unit,
+            "" if row.text is None else f"{row.text:g}",
+            "given" if row.given else f"{row.ours:.6g}",
+        ]
+        for row in table_1().rows
+    ]
+
+
+class Paper(Page):
+    """The paper's figures as pictures made by the code that prints them."""
+
+    key = "paper"
+    title = "Paper"
+
+    def compute(self, state: State) -> dict[str, Any]:
+        """Return no live charts: the figures are pictures."""
+        return {}
+
+    def handle(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Answer a request for a figure with its words at once and its picture when made."""
+        number = message.get("number")
+        if message.get("type") != "figure" or isinstance(number, bool) or number not in FIGURES:
+            return Reply()
+        return Reply(
+            now={"figure": describe(number), "table_1": describe_table()},
+            later=printer.submit(figure_file, number, "svg"),
+            wrap=lambda svg: {"picture": {"number": number, "svg": svg.decode()}},
+        )
