@@ -65,7 +65,8 @@ class Controls(pn.custom.JSComponent):
     presets = param.List(doc="Names of the presets.")
 
     _esm = _ASSETS / "controls.js"
-    _stylesheets: ClassVar[list[Path]] = [_ASSETS / "controls.css"]
+    # as text: a path would be fetched from /components/, which deploy/setup.py shuts
+    _stylesheets: ClassVar[list[str]] = [(_ASSETS / "controls.css").read_text(encoding="utf-8")]
 
     def __init__(self, respond: Callable[[Mapping[str, Any]], dict[str, Any]]) -> None:
         self._respond = respond
