@@ -5,6 +5,7 @@ dashboard patches its columns, a table export writes them: all three see the sam
 """
 
 from .explore import campbell_chart, instability_chart, load_frequency_chart
+from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role
 
@@ -14,6 +15,7 @@ __all__ = [
     "Layer",
     "Role",
     "campbell_chart",
+    "chart_figure",
     "error_loads",
     "instability_chart",
     "load_frequency_chart",

@@ -1,0 +1,72 @@
+"""A live chart as a figure: the same arrays, for print and for tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..figures import Figure, Panel, Region, Series
+from .structure import ROLES, Chart
+
+__all__ = ["chart_figure"]
+
+_STYLES = {"solid": "solid", "9 5": "dashed", "2 4": "dotted"}
+
+
+def _axis(label: str) -> tuple[str, str]:
+    """Return an axis label's symbol and unit."""
+    symbol = label.split()[-1]
+    units = {"p̄": "EI/L²", "ω̄": "√(EI/ρAL⁴)", "Ω̄": "√(EI/ρAL⁴)"}
+    return symbol, units.get(symbol, "-")
+
+
+def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
+    """Return a chart as a one-panel `Figure`, number 0.
+
+    Parameters
+    ----------
+    chart : Chart
+    parameters : mapping
+        Plain values that made it; written into tables.
+
+    Returns
+    -------
+    Figure
+        Exactly the arrays of the chart's lines and regions.
+    """
+    series, regions, labels = [], [], []
+    for layer in chart.layers:
+        data = layer.columns
+        if layer.kind == "lines":
+            for x, y, name, role in zip(*data.values(), strict=True):
+                look = ROLES[role]
+                style: Any = _STYLES.get(look.dash, "dashdot")
+                series.append(Series(name, look.meaning, style, x, y, look.color))
+        elif layer.kind == "points":
+            for x, y, name in zip(data["x"], data["y"], data["name"], strict=True):
+                point = np.array([x]), np.array([y])
+                series.append(Series(name, "critical speed", "solid", *point, "#0f8a6a"))
+        elif layer.kind == "regions":
+            for x, y, name in zip(*data.values(), strict=True):
+                regions.append(Region(name, name, "solid", x, y))
+        elif layer.kind == "labels":
+            labels += list(zip(data["x"], data["y"], data["name"], strict=True))
+    (x_label, x_unit), (y_label, y_unit) = _axis(chart.x_label), _axis(chart.y_label)
+    panel = Panel(
+        letter="",
+        title=chart.title,
+        x_label=x_label,
+        y_label=y_label,
+        x_unit=x_unit,
+        y_unit=y_unit,
+        series=tuple(series),
+        x_range=chart.x_range,
+        y_range=chart.y_range,
+        regions=tuple(regions),
+        labels=tuple(labels),
+    )
+    return Figure(
+        number=0, title=chart.title, caption="", parameters=dict(parameters), panels=(panel,)
+    )
