@@ -1,4 +1,4 @@
-"""Every figure of the paper: its arrays against direct calls, its reading against known verdicts."""
+"""Every figure of the paper: its arrays against direct calls, its reading and verdicts."""
 
 import json
 from functools import cache
@@ -80,7 +80,7 @@ def test_boundaries_are_those_of_eq_24(number):
                 assert ours[~near_zero] == pytest.approx(direct[~near_zero], rel=5e-5)
 
 
-@pytest.mark.parametrize("number", (6, 7, 9))
+@pytest.mark.parametrize("number", [6, 7, 9])
 def test_shaded_polygons_are_bolotin_regions(number):
     """A point a little inside each side's midpoint is in the region, one outside is not."""
     drawn = figure(number)

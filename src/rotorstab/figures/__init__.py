@@ -5,6 +5,7 @@ from collections.abc import Callable
 from .coefficients import figure_2, figure_3
 from .conclusions import CONCLUSIONS
 from .load_frequency import figure_8
+from .own import own_regions
 from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
 from .structure import Figure, Panel, Region, Series, Statement
 from .table import Row, Table, table_1
@@ -27,6 +28,7 @@ __all__ = [
     "figure_7",
     "figure_8",
     "figure_9",
+    "own_regions",
     "table_1",
 ]
 

@@ -66,7 +66,10 @@ def region_panel(
     frequency: float,
     largest_factor: float,
 ) -> Panel:
-    """Return a panel with every variant's regions and boundaries."""
+    """Return a panel with every variant's regions and boundaries.
+
+    Labels name the first variant's boundaries at their upper ends.
+    """
     series: list[Series] = []
     regions: list[Region] = []
     for variant in variants:
@@ -83,6 +86,11 @@ def region_panel(
         y_unit="-",
         series=tuple(series),
         regions=tuple(regions),
+        labels=tuple(
+            (float(one.x[-1]), largest_factor, one.name.rsplit(", ", 1)[1])
+            for one in series[: len(_MODES)]
+            if np.isfinite(one.x[-1])
+        ),
         x_range=(0.0, float(max(1, math.ceil(1.02 * top)))),
         y_range=(0.0, largest_factor),
     )

@@ -11,7 +11,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..rotor import ShaftDisk
 
-__all__ = ["Figure", "Panel", "Region", "Series", "Statement", "Style", "Verdict", "parameters"]
+__all__ = [
+    "Figure",
+    "Panel",
+    "Region",
+    "Series",
+    "Statement",
+    "Style",
+    "Value",
+    "Verdict",
+    "parameters",
+]
 
 Array = NDArray[np.float64]
 Style = Literal["solid", "dashed", "dashdot", "dotted"]
@@ -135,7 +145,7 @@ class Figure:
     Parameters
     ----------
     number : int
-        2 to 9.
+        2 to 9, or 0 for one that is not in the paper.
     title, caption : str
         What it shows; the caption names the line styles.
     parameters : mapping
@@ -157,8 +167,9 @@ class Figure:
         return next(panel for panel in self.panels if panel.letter == letter)
 
     def groups(self) -> dict[str, Style]:
-        """Return every group with its line style, in the order of drawing."""
-        return {one.group: one.style for panel in self.panels for one in panel.series}
+        """Return every group with its line style, in the order of drawing, dotted last."""
+        styles = {one.group: one.style for panel in self.panels for one in panel.series}
+        return dict(sorted(styles.items(), key=lambda item: item[1] == "dotted"))
 
 
 def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:

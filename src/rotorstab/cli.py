@@ -1,0 +1,150 @@
+"""The command line: figures and table of the paper, whirl and regions of own rotors.
+
+Bad arguments give one line on stderr and exit code 2, never a traceback.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import fields
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .commands import (
+    MOST_VALUES,
+    run_conclusions,
+    run_figure,
+    run_regions,
+    run_table,
+    run_whirl,
+)
+from .figures import FIGURES
+from .rotor import ShaftDisk
+
+__all__ = ["main"]
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose errors are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print one line and exit with 2."""
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
+def _values(text: str) -> NDArray[np.float64]:
+    """Read "1.5", "0,1,2" or "0:2:41" (from, to, how many)."""
+    try:
+        if ":" not in text:
+            return np.array([float(part) for part in text.split(",")])
+        start, stop, count = text.split(":")
+        points = int(count)
+        if not 2 <= points <= MOST_VALUES:
+            raise ValueError
+        return np.linspace(float(start), float(stop), points)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a number, a list such as 0,1,2 or a range such as 0:2:41 "
+            f"(from, to, 2 to {MOST_VALUES} values)"
+        ) from None
+
+
+def _add_output(parser: argparse.ArgumentParser, formats: str) -> None:
+    parser.add_argument("--output", metavar="FILE", help=f"write a file: {formats}")
+    parser.add_argument("--force", action="store_true", help="overwrite existing files")
+
+
+def _add_rotor(parser: argparse.ArgumentParser) -> None:
+    """Add the rotor's and the model's arguments; defaults are the paper's base case."""
+    rotor = parser.add_argument_group("rotor, non-dimensional")
+    for field in fields(ShaftDisk):
+        flag = f"--{field.name.replace('_', '-')}"
+        rotor.add_argument(flag, type=float, default=field.default, help="default %(default)s")
+    rotor.add_argument(
+        "--tangency", type=float, default=0.0, help="0 axial to 1 follower, default %(default)s"
+    )
+    model = parser.add_argument_group("model")
+    model.add_argument("--model", choices=("lumped", "exact", "finite-element"), default="lumped")
+    model.add_argument("--elements", type=int, default=20)
+    model.add_argument("--modes", type=int, help="reduce the finite elements, default all")
+    for name in ("external", "internal"):
+        model.add_argument(f"--{name}-damping", type=float, default=0.0, help="damping ratio")
+
+
+def _parser() -> argparse.ArgumentParser:
+    """Return the parser of every command."""
+    parser = _Parser(prog="rotorstab", description=__doc__)
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    figure = commands.add_parser("figure", help="a figure of the paper: its reading, or a file")
+    figure.add_argument("number", nargs="?", type=int, choices=tuple(FIGURES), metavar="NUMBER")
+    figure.add_argument("--all", metavar="DIRECTORY", help="write every figure and Table 1")
+    figure.add_argument(
+        "--formats", default="pdf,svg,png,csv,json", help="with --all, default %(default)s"
+    )
+    _add_output(figure, ".pdf .svg .png .csv .json")
+    figure.set_defaults(run=run_figure)
+
+    table = commands.add_parser("table1", help="Table 1 and what follows from it")
+    _add_output(table, ".csv .json")
+    table.set_defaults(run=run_table)
+
+    conclusions = commands.add_parser("conclusions", help="the paper's conclusions, checked")
+    conclusions.set_defaults(run=run_conclusions)
+
+    sweep = "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); default %(default)s"
+    whirl = commands.add_parser("whirl", help="whirl frequencies of an own rotor")
+    whirl.add_argument("--spin-speed", type=_values, default="0", help=sweep)
+    whirl.add_argument("--load", type=_values, default="0", help=sweep)
+    _add_rotor(whirl)
+    _add_output(whirl, ".csv .json")
+    whirl.set_defaults(run=run_whirl)
+
+    regions = commands.add_parser("regions", help="Bolotin regions of an own rotor")
+    regions.add_argument("--spin-speed", type=_values, default="0", help=f"a panel each: {sweep}")
+    regions.add_argument("--static-factor", type=_values, default="0", help="α_s, up to three")
+    regions.add_argument("--largest-factor", type=float, default=1.0, help="β_d, top of the chart")
+    _add_rotor(regions)
+    _add_output(regions, ".pdf .svg .png .csv .json")
+    regions.set_defaults(run=run_regions)
+    return parser
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Parameters
+    ----------
+    argv : sequence of str, optional
+        Arguments; the process's own by default.
+
+    Returns
+    -------
+    int
+        0, or 2 after one line on stderr.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        arguments = _parser().parse_args(argv)
+        arguments.run(arguments)
+        sys.stdout.flush()
+    except SystemExit as stop:
+        return int(stop.code or 0)
+    except BrokenPipeError:
+        # the reader has seen enough; nothing more may be flushed at exit
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except (ValueError, OSError) as error:
+        text = str(error)
+        if isinstance(error, OSError) and error.strerror:
+            text = f"{error.strerror}: {error.filename}"
+        line = " ".join(text.split())
+        print(f"rotorstab: {line}", file=sys.stderr)
+        return 2
+    return 0

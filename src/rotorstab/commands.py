@@ -1,0 +1,249 @@
+"""What the commands of the command line do; `cli` reads their arguments.
+
+Every function takes the parsed arguments and raises ValueError or OSError with one clear
+line. Only drawing loads HoloViews.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+from unicodedata import combining
+
+import numpy as np
+
+from . import export
+from .checks import number
+from .figures import CONCLUSIONS, FIGURES, Figure, Statement, own_regions, table_1
+from .finite_element import finite_element
+from .rotor import ShaftDisk
+from .system import System, lumped
+from .whirl import whirl_frequencies
+
+__all__ = ["MOST_VALUES", "run_conclusions", "run_figure", "run_regions", "run_table", "run_whirl"]
+
+_DRAWN = (".pdf", ".svg", ".png")
+_TABLES = (".csv", ".json")
+MOST_VALUES = 10_000
+"""Largest number of values a range or a sweep may have."""
+
+
+def _suffix(path: str, allowed: Sequence[str]) -> str:
+    """Return a file name's ending, which chooses the format."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in allowed:
+        raise ValueError(f"`--output` must end in {', '.join(allowed)}, got {path!r}")
+    return suffix
+
+
+def _figure_data(figure: Figure, suffixes: Sequence[str]) -> dict[str, bytes | str]:
+    """Return a figure in the formats of some file endings."""
+    data: dict[str, bytes | str] = {}
+    drawn = [suffix[1:] for suffix in suffixes if suffix in _DRAWN]
+    if drawn:
+        try:
+            from .plots_paper import figure_files
+        except ImportError as error:
+            raise ValueError(
+                f".{drawn[0]} needs {error.name or 'holoviews'}, which is not installed: "
+                "pip install 'rotorstab[app]', or write .csv or .json"
+            ) from None
+        data |= {f".{name}": content for name, content in figure_files(figure, drawn).items()}
+    if ".csv" in suffixes:
+        data[".csv"] = export.figure_csv(figure)
+    if ".json" in suffixes:
+        data[".json"] = export.figure_json(figure)
+    return data
+
+
+def _reading(title: str, statements: Sequence[Statement]) -> str:
+    """Write statements for a terminal."""
+    lines = [title]
+    for one in statements:
+        lines += ["", f"  paper: {one.text}", f"  ours:  {one.ours}", f"  → {one.verdict}"]
+        if one.note:
+            lines.append(f"  note:  {one.note}")
+    return "\n".join(lines) + "\n"
+
+
+def _text_table(columns: Mapping[str, Sequence[Any]]) -> str:
+    """Write columns of equal length, aligned."""
+
+    def cell(value: Any) -> str:
+        if isinstance(value, float | np.floating):
+            return "-" if np.isnan(value) else f"{value:.8g}"
+        return "-" if value is None else str(value)
+
+    blocks = [[name, *map(cell, values)] for name, values in columns.items()]
+
+    def room(text: str) -> int:
+        """Count characters; combining marks, as in Ω̄, take no room."""
+        return sum(not combining(letter) for letter in text)
+
+    widths = [max(map(room, block)) for block in blocks]
+    rows = zip(*blocks, strict=True)
+    lines = (
+        "  ".join(
+            " " * (width - room(text)) + text for text, width in zip(row, widths, strict=True)
+        )
+        for row in rows
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _emit(
+    text: str,
+    data: Callable[[str], bytes | str],
+    arguments: argparse.Namespace,
+    allowed: Sequence[str],
+) -> None:
+    """Print the text, or write the file that `--output` names."""
+    if arguments.output is None:
+        sys.stdout.write(text)
+        return
+    suffix = _suffix(arguments.output, allowed)
+    path = Path(arguments.output)
+    if path.exists() and not arguments.force:
+        raise ValueError(f"{path} exists; --force overwrites it")
+    export.write_file(path, data(suffix), arguments.force)
+
+
+def run_figure(arguments: argparse.Namespace) -> None:
+    """Write or read out one figure of the paper, or write all."""
+    if (arguments.number is None) == (arguments.all is None):
+        raise ValueError("give either a figure's number, 2 to 9, or --all DIRECTORY")
+    if arguments.all is not None:
+        _write_all(Path(arguments.all), arguments.formats.split(","), arguments.force)
+        return
+    figure = FIGURES[arguments.number]()
+    _emit(
+        _reading(f"Figure {figure.number}. {figure.title}", figure.reading),
+        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        arguments,
+        (*_DRAWN, *_TABLES),
+    )
+
+
+def _write_all(directory: Path, formats: Sequence[str], force: bool) -> None:
+    """Write every figure and the table; nothing if any file is in the way."""
+    known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
+    for one in formats:
+        if one not in known:
+            raise ValueError(f"`--formats` must be among {','.join(known)}, got {one!r}")
+    directory.mkdir(exist_ok=True)
+    table = [one for one in formats if one in ("csv", "json")]
+    names = [f"figure_{n}.{one}" for n in FIGURES for one in formats]
+    names += [f"table_1.{one}" for one in table]
+    taken = [name for name in names if (directory / name).exists()]
+    if taken and not force:
+        raise ValueError(f"{directory / taken[0]} exists; --force overwrites it")
+    for n, make in FIGURES.items():
+        figure = make()
+        for suffix, content in _figure_data(figure, [f".{one}" for one in formats]).items():
+            export.write_file(directory / f"figure_{n}{suffix}", content, force)
+    for one in table:
+        data = export.table_csv(table_1()) if one == "csv" else export.table_json(table_1())
+        export.write_file(directory / f"table_1.{one}", data, force)
+    sys.stdout.write(f"{len(names)} files in {directory}\n")
+
+
+def run_table(arguments: argparse.Namespace) -> None:
+    """Write or print Table 1."""
+    table = table_1()
+    text = _text_table(
+        {
+            "quantity": [row.name for row in table.rows],
+            "unit": [row.unit for row in table.rows],
+            "paper": [row.text for row in table.rows],
+            "rotorstab": [row.ours for row in table.rows],
+        }
+    )
+    formats = {".csv": export.table_csv, ".json": export.table_json}
+    _emit(text, lambda suffix: formats[suffix](table), arguments, _TABLES)
+
+
+def run_conclusions(_: argparse.Namespace) -> None:
+    """Print the five conclusions."""
+    statements = [conclusion() for conclusion in CONCLUSIONS.values()]
+    sys.stdout.write(_reading("The paper's conclusions on our numbers", statements))
+
+
+def _rotor(arguments: argparse.Namespace) -> ShaftDisk:
+    return ShaftDisk(**{one.name: getattr(arguments, one.name) for one in fields(ShaftDisk)})
+
+
+def _system(arguments: argparse.Namespace) -> System:
+    """Return the rotor's system at rest, by the chosen model."""
+    damping = (arguments.external_damping, arguments.internal_damping)
+    if arguments.model == "finite-element":
+        modes = None if arguments.modes is None else int(arguments.modes)
+        return finite_element(
+            _rotor(arguments), 0.0, arguments.tangency, arguments.elements, modes, *damping
+        )
+    law = "exact" if arguments.model == "exact" else "linear"
+    return lumped(_rotor(arguments), 0.0, arguments.tangency, *damping, law)
+
+
+def _parameters(arguments: argparse.Namespace, *names: str) -> dict[str, Any]:
+    """Return the named arguments as plain values."""
+    rotor = [one.name for one in fields(ShaftDisk)]
+    values = {name: getattr(arguments, name) for name in (*rotor, "tangency", "model", *names)}
+    if arguments.model == "finite-element":
+        values |= {"elements": arguments.elements, "modes": arguments.modes}
+    return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in values.items()}
+
+
+def run_whirl(arguments: argparse.Namespace) -> None:
+    """Write or print whirl frequencies over spin speeds and loads."""
+    spins, loads = arguments.spin_speed, arguments.load
+    number("spin-speed × load values", spins.size * loads.size, 1, MOST_VALUES)
+    frequencies = whirl_frequencies(_system(arguments).at_speed(spins[:, None]), loads)
+    roots = frequencies.shape[-1]
+    columns: dict[str, Sequence[Any]] = {
+        "spin_speed": np.repeat(spins, loads.size * roots).tolist(),
+        "load": np.tile(np.repeat(loads, roots), spins.size).tolist(),
+        "root": list(range(1, roots + 1)) * (spins.size * loads.size),
+        "frequency": frequencies.real.ravel().tolist(),
+        "growth_rate": (-frequencies.imag.ravel() + 0.0).tolist(),
+    }
+    details = [
+        "spin_speed, frequency, growth_rate [√(EI/ρAL⁴)], load [EI/L²]",
+        "frequency above 0: forward whirl, below 0: backward",
+    ]
+    parameters = _parameters(arguments, "external_damping", "internal_damping")
+    formats = {".csv": export.columns_csv, ".json": export.columns_json}
+    _emit(
+        _text_table(columns),
+        lambda suffix: formats[suffix]("Whirl frequencies", details, parameters, columns),
+        arguments,
+        _TABLES,
+    )
+
+
+def run_regions(arguments: argparse.Namespace) -> None:
+    """Write or print the Bolotin regions of an own rotor."""
+    figure = own_regions(
+        _system(arguments),
+        arguments.shear,
+        arguments.spin_speed.tolist(),
+        arguments.static_factor.tolist(),
+        arguments.largest_factor,
+        _parameters(arguments),
+    )
+    columns: dict[str, list[Any]] = {"panel": [], "boundary": [], "beta_d": [], "theta/omega_n": []}
+    for panel in figure.panels:
+        for one in panel.series:
+            for beta in np.linspace(0.0, arguments.largest_factor, 6):
+                row = (panel.title, one.name, float(beta), float(np.interp(beta, one.y, one.x)))
+                for column, value in zip(columns.values(), row, strict=True):
+                    column.append(value)
+    _emit(
+        _text_table(columns),
+        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        arguments,
+        (*_DRAWN, *_TABLES),
+    )

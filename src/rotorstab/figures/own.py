@@ -1,0 +1,80 @@
+"""Bolotin regions of any rotor, in the form of the paper's figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from string import ascii_lowercase
+
+from ..checks import number
+from ..critical import critical_load
+from ..system import System, fundamental_frequency
+from .region_panels import Variant, region_panel
+from .structure import Figure, Style, Value
+
+__all__ = ["own_regions"]
+
+_STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot")
+
+
+def own_regions(
+    system: System,
+    shear: float,
+    spin_speeds: Sequence[float],
+    static_factors: Sequence[float],
+    largest_factor: float = 1.0,
+    parameters: dict[str, Value] | None = None,
+) -> Figure:
+    """Return the Bolotin regions of a system as a figure that is not in the paper.
+
+    Parameters
+    ----------
+    system : System
+        Undamped; its own spin speed is not used.
+    shear : float
+        Φ, for the static buckling load that the load factors are measured by.
+    spin_speeds : sequence of 1 to 6 floats
+        Ω̄, a panel each.
+    static_factors : sequence of 1 to 3 floats
+        α_s, a line style each.
+    largest_factor : float
+        Top of the β_d axis, above 0.
+    parameters : mapping, optional
+        Plain values to carry along.
+
+    Returns
+    -------
+    Figure
+        Number 0, no reading.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range or the system is damped.
+    """
+    number("number of spin speeds", len(spin_speeds), 1, 6)
+    number("number of static factors", len(static_factors), 1, 3)
+    number("largest_factor", largest_factor, 0.0, open_low=True)
+    if system.is_damped:
+        raise ValueError("`system` must be undamped for Bolotin regions, got a damped one")
+    reference = float(critical_load(shear))
+    frequency = fundamental_frequency(system)
+    panels = []
+    for letter, spin in zip(ascii_lowercase, spin_speeds, strict=False):
+        variants = [
+            Variant(f"α_s = {factor:g}", style, system.at_speed(spin), factor, reference)
+            for factor, style in zip(static_factors, _STYLES, strict=False)
+        ]
+        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
+    return Figure(
+        number=0,
+        title="Bolotin regions",
+        caption="First two regions.",
+        parameters={
+            **(parameters or {}),
+            "spin_speeds": list(spin_speeds),
+            "static_load_factors": list(static_factors),
+            "reference_load": reference,
+            "fundamental_frequency": frequency,
+        },
+        panels=tuple(panels),
+    )

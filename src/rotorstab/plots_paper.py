@@ -1,0 +1,245 @@
+"""Figures of the paper drawn with HoloViews: print quality by Matplotlib, or Bokeh.
+
+Vector output needs no browser. The same `Figure` goes to `export` for tables.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from io import BytesIO
+from typing import Any, Literal
+
+import holoviews as hv
+
+from .checks import choice
+from .figures import Figure, Panel
+
+__all__ = ["PRINT_FORMATS", "figure_files", "paper_layout"]
+
+PRINT_FORMATS = ("pdf", "svg", "png")
+
+# Okabe–Ito hues; the line style alone tells variants apart in grey print
+_COLORS = {"solid": "#0072B2", "dashed": "#D55E00", "dashdot": "#00795A", "dotted": "#7A3E73"}
+_MATPLOTLIB_DASH: dict[str, Any] = {
+    "solid": "-",
+    "dashed": (0, (6, 2.5)),
+    "dashdot": (0, (7, 2, 1.4, 2)),
+    "dotted": (0, (1.2, 1.4)),
+}
+_BOKEH_DASH = {"solid": "solid", "dashed": [8, 4], "dashdot": [9, 3, 2, 3], "dotted": [2, 2]}
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_PANEL_INCHES = (3.2, 2.6)
+_SETTINGS = {
+    "font.size": 9.0,
+    "font.family": "DejaVu Sans",
+    "axes.titlesize": 9.0,
+    "axes.labelsize": 9.5,
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "legend.fontsize": 8.5,
+    "pdf.fonttype": 42,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "rotorstab",  # the same ids in every run
+}
+
+
+def _mathtext(text: str) -> str:
+    """Return the text with barred, indexed and Greek symbols as Matplotlib mathtext."""
+    text = re.sub(
+        "(.)\u0304([₀-₉]*)",
+        lambda m: rf"$\bar{{{m[1]}}}" + (f"_{{{m[2].translate(_SUBSCRIPTS)}}}$" if m[2] else "$"),
+        text,
+    )
+    return re.sub(r"([αβμ])_([sd])", r"$\1_\2$", text).replace("ωₙ", "$ω_n$")
+
+
+def _axis_label(symbol: str, unit: str) -> str:
+    return symbol if unit == "-" else f"{symbol} [{unit}]"
+
+
+def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
+    """Return one panel: shaded regions below, lines above."""
+    printed = backend == "matplotlib"
+    axes = (panel.x_label, panel.y_label)
+    shades = [
+        hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
+            **(
+                {"facecolor": _COLORS[region.style], "edgecolor": "none", "alpha": 0.14}
+                if printed
+                else {
+                    "fill_color": _COLORS[region.style],
+                    "fill_alpha": 0.14,
+                    "line_alpha": 0.0,
+                    "xlabel": axes[0],
+                    "ylabel": axes[1],
+                }
+            ),
+            backend=backend,
+        )
+        for region in panel.regions
+    ]
+    lines = [
+        hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
+            **(
+                {"linestyle": _MATPLOTLIB_DASH[line.style], "linewidth": 1.3}
+                if printed
+                else {"line_dash": _BOKEH_DASH[line.style], "line_width": 2}
+            ),
+            color=_COLORS[line.style],
+            backend=backend,
+        )
+        for line in panel.series
+    ]
+    title = f"({panel.letter}) {panel.title}"
+    label_x, label_y = _axis_label(axes[0], panel.x_unit), _axis_label(axes[1], panel.y_unit)
+    if printed:
+        label_x, label_y = _mathtext(label_x), _mathtext(label_y)
+    return hv.Overlay([*shades, *lines]).opts(
+        hv.opts.Overlay(
+            title=title,
+            xlabel=label_x,
+            ylabel=label_y,
+            xlim=panel.x_range,
+            ylim=panel.y_range,
+            show_legend=not printed,
+            backend=backend,
+            **({"aspect": _PANEL_INCHES[0] / _PANEL_INCHES[1]} if printed else {}),
+        )
+    )
+
+
+def _columns(figure: Figure) -> int:
+    """Return how many panels stand side by side."""
+    return 2 if len(figure.panels) in (2, 4) else min(3, len(figure.panels))
+
+
+def paper_layout(
+    figure: Figure, backend: Literal["matplotlib", "bokeh"] = "matplotlib"
+) -> hv.Layout:
+    """Return a figure as a HoloViews layout, panels side by side.
+
+    Parameters
+    ----------
+    figure : Figure
+        From `rotorstab.figures`.
+    backend : {"matplotlib", "bokeh"}
+        Which backend's styles it carries; that backend is loaded.
+
+    Returns
+    -------
+    holoviews.Layout
+    """
+    hv.renderer(backend)  # loads it where it is not, and leaves the current one current
+    layout = hv.Layout([_panel_overlay(panel, backend) for panel in figure.panels])
+    columns = _columns(figure)
+    if backend == "bokeh":
+        return layout.opts(shared_axes=False, backend=backend).cols(columns)
+    return layout.opts(shared_axes=False, sublabel_format="", tight=False, backend=backend).cols(
+        columns
+    )
+
+
+def _finish(axes: Any, panel: Panel) -> None:
+    """Frame, title and labels: above the frame at its top edge, else beside the line."""
+    title = _mathtext(f"({panel.letter}) {panel.title}")
+    axes.set_title(title, pad=12 if panel.regions else 6)
+    axes.set_aspect("auto")
+    axes.tick_params(direction="in", top=True, right=True)
+    axes.spines[:].set_visible(True)
+    for x, y, text in panel.labels:
+        at_top = y >= panel.y_range[1]
+        backward = text.endswith("B")
+        # to the left of its line, but clear of the axis numbers at the left edge
+        leftward = at_top and backward and x > 0.07 * panel.x_range[1]
+        axes.annotate(
+            text,
+            (x, y),
+            xytext=((-1 if leftward else 1), 2) if at_top else (4, -9 if backward else 3),
+            textcoords="offset points",
+            ha="right" if leftward else "left",
+            va="bottom",
+            fontsize=7.0,
+            color="#444444",
+            annotation_clip=False,
+        )
+
+
+def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
+    """Return a figure as the bytes of PDF, SVG and PNG files.
+
+    Parameters
+    ----------
+    figure : Figure
+        From `rotorstab.figures`.
+    formats : sequence of {"pdf", "svg", "png"}
+        PNG has 300 dots per inch.
+
+    Returns
+    -------
+    dict of str to bytes
+        By format. The same for the same figure and library versions: no date, no random ids.
+
+    Raises
+    ------
+    ValueError
+        For another format.
+    """
+    for one in formats:
+        choice("file format", one, PRINT_FORMATS)
+    import matplotlib
+    from matplotlib import pyplot
+
+    heading = f"Figure {figure.number}. {figure.title}" if figure.number else figure.title
+    metadata: dict[str, dict[str, Any]] = {
+        "pdf": {"CreationDate": None, "ModDate": None, "Title": heading},
+        "svg": {"Date": None, "Title": heading},
+        "png": {"Title": heading.encode("ascii", "replace").decode()},
+    }
+    files = {}
+    # the calling process may have its own settings: they are put back
+    with matplotlib.rc_context(_SETTINGS):
+        drawn = hv.render(paper_layout(figure), backend="matplotlib")
+        _arrange(drawn, figure, heading)
+        for one in formats:
+            stream = BytesIO()
+            drawn.savefig(stream, format=one, dpi=300, metadata=metadata[one])
+            files[one] = stream.getvalue()
+        pyplot.close(drawn)
+    return files
+
+
+def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
+    """Place the panels, the common legend and the caption of a rendered layout."""
+    from matplotlib.lines import Line2D
+
+    columns = _columns(figure)
+    rows = -(-len(figure.panels) // columns)
+    width, height = columns * _PANEL_INCHES[0], rows * _PANEL_INCHES[1] + 0.55
+    drawn.set_size_inches(width, height)
+    axes = [one for one in drawn.axes if one.get_title()]
+    for index, (one, panel) in enumerate(zip(axes, figure.panels, strict=True)):
+        row, column = divmod(index, columns)
+        one.set_position(
+            (
+                (column * _PANEL_INCHES[0] + 0.62) / width,
+                (height - (row + 1) * _PANEL_INCHES[1] + 0.42) / height,
+                (_PANEL_INCHES[0] - 0.82) / width,
+                (_PANEL_INCHES[1] - 0.8) / height,
+            )
+        )
+        _finish(one, panel)
+    groups = figure.groups()
+    drawn.legend(
+        handles=[
+            Line2D([], [], color=_COLORS[style], linestyle=_MATPLOTLIB_DASH[style])
+            for style in groups.values()
+        ],
+        labels=[_mathtext(group) for group in groups],
+        loc="lower center",
+        bbox_to_anchor=(0.5, 0.24 / height),
+        ncols=len(groups),
+        frameon=False,
+        handlelength=3.4,
+    )
+    drawn.text(0.5, 0.1 / height, _mathtext(heading), ha="center", va="bottom", fontsize=9.0)

@@ -1,0 +1,156 @@
+"""The command line: its files, its one-line errors, its exit codes."""
+
+import csv
+import json
+import subprocess
+import sys
+
+import pytest
+
+from rotorstab.__main__ import main
+from rotorstab.figures import CONCLUSIONS, FIGURES
+
+
+def rows_of(path):
+    return list(csv.DictReader(x for x in path.read_text().splitlines() if x[0] != "#"))
+
+
+@pytest.mark.parametrize("number", FIGURES)
+def test_figure_prints_its_reading(number, capsys):
+    assert main(["figure", str(number)]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith(f"Figure {number}. ")
+    assert out.count("→ agree") + out.count("→ differ") == len(FIGURES[number]().reading)
+
+
+@pytest.mark.parametrize("suffix", ["pdf", "svg", "png", "csv", "json"])
+def test_figure_is_written_in_every_format(suffix, tmp_path, capsys):
+    path = tmp_path / f"fig2.{suffix}"
+    assert main(["figure", "2", "--output", str(path)]) == 0
+    assert path.stat().st_size > 1000
+    assert main(["figure", "2", "--output", str(path)]) == 2
+    assert capsys.readouterr().err == f"rotorstab: {path} exists; --force overwrites it\n"
+    assert main(["figure", "2", "--output", str(path), "--force"]) == 0
+
+
+def test_all_figures_come_out_of_one_command(tmp_path, capsys):
+    directory = tmp_path / "all"
+    assert main(["figure", "--all", str(directory), "--formats", "csv,json"]) == 0
+    names = {path.name for path in directory.iterdir()}
+    stems = [f"figure_{n}" for n in range(2, 10)] + ["table_1"]
+    assert names == {f"{stem}.{kind}" for stem in stems for kind in ("csv", "json")}
+    assert main(["figure", "--all", str(directory), "--formats", "csv"]) == 2
+    assert "figure_2.csv exists" in capsys.readouterr().err
+
+
+def test_table_1(tmp_path, capsys):
+    assert main(["table1"]) == 0
+    assert "159.805" in capsys.readouterr().out
+    path = tmp_path / "t.json"
+    assert main(["table1", "--output", str(path)]) == 0
+    assert json.loads(path.read_text())["title"].startswith("Table 1")
+
+
+def test_conclusions_are_printed(capsys):
+    assert main(["conclusions"]) == 0
+    out = capsys.readouterr().out
+    assert all(f"({letter})" in out for letter in CONCLUSIONS)
+
+
+def test_whirl_of_an_own_rotor(tmp_path, capsys):
+    path = tmp_path / "w.csv"
+    arguments = ["whirl", "--spin-speed", "0,2", "--load", "0:1:3", "--output", str(path)]
+    assert main(arguments) == 0
+    rows = rows_of(path)
+    assert len(rows) == 2 * 3 * 4
+    last_speed = [row for row in rows if row["spin_speed"] == "2.0" and row["load"] == "0.0"]
+    # theory: −1.73338, −0.26610, 1.07302, 4.92646
+    assert [round(float(row["frequency"]), 5) for row in last_speed] == [
+        -1.73338,
+        -0.2661,
+        1.07302,
+        4.92646,
+    ]
+    assert main(["whirl", "--model", "finite-element", "--modes", "4"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 9
+
+
+@pytest.mark.parametrize("model", ["lumped", "exact", "finite-element"])
+def test_regions_of_an_own_rotor(model, tmp_path, capsys):
+    path = tmp_path / "r.json"
+    arguments = ["regions", "--spin-speed", "1", "--static-factor", "0,0.5", "--modes", "4"]
+    arguments += ["--model", model]
+    assert main(arguments) == 0
+    assert "theta/omega_n" in capsys.readouterr().out
+    assert main([*arguments, "--output", str(path)]) == 0
+    loaded = json.loads(path.read_text())
+    assert loaded["parameters"]["model"] == model
+    assert len(loaded["panels"][0]["lines"]) == 8
+
+
+def test_regions_can_be_drawn(tmp_path):
+    path = tmp_path / "r.svg"
+    assert main(["regions", "--tangency", "1", "--output", str(path)]) == 0
+    assert path.read_bytes().startswith(b"<?xml")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "the following arguments are required: COMMAND"),
+        (["figure"], "give either a figure's number, 2 to 9, or --all DIRECTORY"),
+        (["figure", "1"], "invalid choice: 1"),
+        (["figure", "6", "--output", "a.docx"], "`--output` must end in .pdf, .svg, .png"),
+        (["figure", "6", "--output", "no/such/place.csv"], "No such file or directory: no/such"),
+        (["figure", "--all", "x", "--formats", "gif"], "`--formats` must be among"),
+        (["table1", "--output", "a.pdf"], "`--output` must end in .csv, .json, got 'a.pdf'"),
+        (["whirl", "--shear", "2"], "`shear` must be in [0, 1), got 2"),
+        (["whirl", "--shear", "nan"], "`shear` must be in [0, 1), got nan"),
+        (["whirl", "--shear", "x"], "argument --shear: invalid float value: 'x'"),
+        (["whirl", "--load", "1:2"], "is not a number, a list such as"),
+        (["whirl", "--load", "0:1:99999999"], "2 to 10000 values"),
+        (["whirl", "--load", "inf"], "`load` must be in (-inf, inf), got inf"),
+        (["whirl", "--spin-speed", "0:1:1000", "--load", "0:1:1000"], "got 1e+06"),
+        (["whirl", "--model", "exact", "--load", "50"], "pole of the exact stiffness"),
+        (["whirl", "--model", "finite-element", "--modes", "99"], "`modes` must be in [2, 40]"),
+        (["whirl", "--disk-mass", "0"], "`disk_mass` must be in (0, inf), got 0"),
+        (["regions", "--static-factor", "0,1,2,3"], "must be in [1, 3], got 4"),
+        (["regions", "--external-damping", "0.1"], "must be undamped"),
+        (["regions", "--largest-factor", "0"], "`largest_factor` must be in (0, inf), got 0"),
+    ],
+)
+def test_bad_arguments_give_one_line_and_exit_code_2(arguments, message, capsys, tmp_path):
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("rotorstab")
+    assert err.count("\n") == 1
+    assert message in err
+
+
+def test_missing_holoviews_is_one_clear_line(monkeypatch, capsys, tmp_path):
+    for name in [name for name in sys.modules if name.startswith("rotorstab.plots_paper")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "holoviews", None)
+    assert main(["figure", "2", "--output", str(tmp_path / "a.pdf")]) == 2
+    assert "which is not installed: pip install 'rotorstab[app]'" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_module_runs_and_survives_a_closed_pipe():
+    command = [sys.executable, "-m", "rotorstab", "whirl", "--load", "0:2:500"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        process.stdout.readline()
+        process.stdout.close()
+        errors = process.stderr.read()
+    assert process.returncode == 0
+    assert errors == b""
+
+
+def test_solving_does_not_import_a_drawing_library():
+    code = (
+        "import sys; from rotorstab.__main__ import main; main(['figure', '6']); "
+        "sys.exit(any(m.split('.')[0] in ('holoviews', 'matplotlib', 'bokeh') "
+        "for m in sys.modules))"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
