@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .modal import ModalBasis
+from .stiffness import largest_exact_load
 from .system import System
 
 __all__ = ["MAP_SCHEME", "POINT_SCHEME", "Scheme", "propagate"]
@@ -96,8 +97,8 @@ def _linear_kick(
     if not shared:
         operator = np.ascontiguousarray(np.moveaxis(operator, 0, -1))
 
-    def at_phase(cosine: NDArray[np.float64]) -> Kick:
-        scale = offset + amplitude * cosine
+    def at_phase(phase: NDArray[np.float64]) -> Kick:
+        scale = offset + amplitude * np.cos(phase)
 
         def kick(y: Complex, weight: float) -> None:
             if shared:
@@ -119,34 +120,50 @@ def _exact_kick(
     step: NDArray[np.float64],
 ) -> Callable[[NDArray[np.float64]], Kick]:
     """Return the maker of kicks j b h L (K(p̄) − K(p̄_ref)) V_q Y for any K(p̄)."""
-    static, pulsating = loads
     n = system.size
     right = basis.vectors[..., :n, :]
     left = basis.inverse[..., :, n:] @ np.linalg.inv(system.mass)
     shared = right.ndim == 2
     if not shared:
         left, right = np.moveaxis(left, 0, -1), np.moveaxis(right, 0, -1)
-    reference = system.load_stiffness(basis.load)
+    # K(p̄₀ + p̄_t cos φ) as a cosine series, taken once for all phases
+    harmonics = np.stack(system.load_harmonics(*loads, count=_harmonic_count(system, loads)))
+    harmonics[0] -= system.load_stiffness(basis.load)
+    harmonics = np.moveaxis(harmonics, (-2, -1), (1, 2))
+    table = harmonics.reshape(len(harmonics), -1)
 
-    def at_phase(cosine: NDArray[np.float64]) -> Kick:
-        remainder = system.load_stiffness(static + pulsating * cosine) - reference
-        matrix = np.moveaxis(remainder, (-2, -1), (0, 1))
+    def at_phase(phase: NDArray[np.float64]) -> Kick:
+        cosines = np.cos(phase.reshape(-1, 1) * np.arange(len(table)))
+        remainder = (cosines @ table).reshape(-1, *harmonics.shape[1:])
+        matrix = np.moveaxis(remainder, 0, 2)
 
         def kick(y: Complex, weight: float) -> None:
             if shared:
                 low = _left_multiply(right, y)
             else:
                 low = np.einsum("ikp,kc...p->ic...p", right, y)
-            low = (matrix[:, :, None] * low[None]).sum(axis=1)
-            low *= 1j * weight * step
+            force = np.empty_like(low)
+            for i in range(n):
+                force[i] = matrix[i, 0] * low[0]
+                for k in range(1, n):
+                    force[i] += matrix[i, k] * low[k]
+            force *= 1j * weight * step
             if shared:
-                y += _left_multiply(left, low)
+                y += _left_multiply(left, force)
             else:
-                y += np.einsum("ikp,kc...p->ic...p", left, low)
+                y += np.einsum("ikp,kc...p->ic...p", left, force)
 
         return kick
 
     return at_phase
+
+
+def _harmonic_count(system: System, loads: Loads) -> int:
+    """Return how many harmonics of K(p̄(t)) matter: they fall like ρ^−m, ρ set by the pole."""
+    assert system.exact_shear is not None
+    reach = np.min((largest_exact_load(system.exact_shear) - loads[0]) / (np.abs(loads[1]) + 1e-9))
+    ellipse = float(reach + np.sqrt(max(reach * reach - 1, 0.0)))
+    return int(min(400, max(4, np.ceil(37 / np.log(max(ellipse, 1.01))))))
 
 
 def _left_multiply(matrix: NDArray[Any], y: Complex) -> Complex:
@@ -230,6 +247,6 @@ def propagate(
         after = [flows[a] for a in (*drifts[1:-1], last)]
         for time, weight, flow in zip(times, scheme.kicks, after, strict=True):
             phase = turn * (segment + (index + time) / steps) / segments
-            at_phase(np.cos(phase))(y, weight)
+            at_phase(phase)(y, weight)
             y *= flow
     return _chain(y)
