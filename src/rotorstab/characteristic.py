@@ -114,8 +114,8 @@ def self_inversive_growth(coefficients: Array, error: Array | float = 0.0) -> tu
     largest = (total + difference) / 2
     # how far the colliding pair stays from the other one
     distance = np.abs(y - (total - difference) / 2)
-    with np.errstate(divide="ignore"):
-        slack = 2 * error / np.maximum(distance, np.sqrt(error) + 1e-300)
+    distance *= np.minimum(distance, 1)
+    slack = 2 * error / np.maximum(distance, np.sqrt(error) + 1e-300)
     end = np.abs(y) > 2 - 4 * _NEAR_END
     if end.any():
         # there one of S and D is the root of a difference

@@ -78,9 +78,7 @@ def _propagators(
     fine = coarse = np.complex128(0)
     for level, better, worse in zip(_LEVELS, _FINE, _COARSE, strict=True):
         steps = level * factor
-        y = propagate(
-            system, basis, loads, share * period, 2 * np.pi * share, steps, POINT_SCHEME
-        )
+        y = propagate(system, basis, loads, share * period, 2 * np.pi * share, steps, POINT_SCHEME)
         fine, coarse = fine + better * y, coarse + worse * y
     return np.moveaxis(np.asarray(fine), -1, 0), np.moveaxis(np.asarray(coarse), -1, 0)
 

@@ -14,7 +14,14 @@ from math import lgamma, log
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Panel", "chebyshev_values", "chebyshev_transform", "load_nodes", "plan_panels"]
+__all__ = [
+    "Panel",
+    "chebyshev_nodes",
+    "chebyshev_transform",
+    "chebyshev_values",
+    "load_nodes",
+    "plan_panels",
+]
 
 Array = NDArray[np.float64]
 
@@ -38,7 +45,7 @@ class Panel:
     load_nodes : int
         Chebyshev nodes in the load.
     steps : int
-        Time steps over the span integrated.
+        Common factor of the step counts of the levels.
     """
 
     columns: slice
@@ -115,7 +122,7 @@ def plan_panels(
     swing : float
         Phase per unit period that the largest load adds.
     rate : float
-        Steps per unit period.
+        Steps per unit period, as multiples of the extrapolation's levels.
     density : float
         1 for the tuned numbers of nodes, less for a coarse, faster chart.
     tolerance : float
@@ -136,7 +143,7 @@ def plan_panels(
         nodes = int(np.ceil(density * _period_nodes(bandwidth, high - low)))
         columns = stop - start
         loads = max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
-        steps = max(2, int(np.ceil(rate * high)))
+        steps = max(1, int(np.ceil(rate * high)))
         sampled = min(columns, nodes)
         made = Panel(
             slice(int(start), int(stop)), low, high, 0 if columns <= nodes else nodes, loads, steps
