@@ -1,0 +1,237 @@
+"""The characteristic polynomial of one rotor over a whole range of loads and periods."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .characteristic import characteristic_coefficients, largest_modulus, self_inversive_growth
+from .modal import ModalBasis, splitting_basis
+from .sampling import (
+    Panel,
+    chebyshev_nodes,
+    chebyshev_transform,
+    chebyshev_values,
+    plan_panels,
+)
+from .splitting import MAP_SCHEME, propagate
+from .system import System
+
+__all__ = ["ChartSampler"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+_LEVELS = (4, 3, 2)  # step counts of the extrapolation, times a common factor
+_STEPS_PER_RADIAN = 1.9  # of the fastest mode, first level: 1e-7 or so in the coefficients
+_TOLERANCE = 1e-8  # of the interpolation, in the coefficients
+_SAFETY = 4  # the step error is measured at one corner of each panel only
+
+
+def _weights(levels: tuple[int, ...]) -> Array:
+    """Return weights that remove the errors h⁴, h⁶ … from values at these step counts."""
+    powers = [[float(n) ** -(2 + 2 * k) if k else 1.0 for n in levels] for k in range(len(levels))]
+    return np.asarray(np.linalg.solve(powers, np.eye(len(levels))[0]))
+
+
+_TWO, _THREE = _weights(_LEVELS[:2]), _weights(_LEVELS)
+
+
+class ChartSampler:
+    """The characteristic polynomial of one system over a range of loads and periods.
+
+    Holds the Chebyshev coefficients of each panel; evaluating them costs two small matrix
+    products whatever the resolution.
+
+    Parameters
+    ----------
+    system : System
+        One spin speed.
+    static_load : float
+        p̄₀ [EI/L²].
+    largest_load : float
+        Largest |p̄_t| [EI/L²].
+    periods : (C,) float
+        T of the columns, rising.
+    density : float
+        1, or less for fewer nodes and steps: faster, less accurate, with error bounds to match.
+    """
+
+    def __init__(
+        self,
+        system: System,
+        static_load: float,
+        largest_load: float,
+        periods: Array,
+        density: float = 1.0,
+    ) -> None:
+        self.system = system
+        self.static_load = static_load
+        self.largest_load = largest_load
+        self.closed_form = system.size == 2
+        self.basis: ModalBasis = splitting_basis(system, static_load)
+        self.share = 1.0 if system.is_damped else 0.5
+        frequencies = self.basis.frequencies
+        mean = frequencies.mean()
+        # det of the monodromy is e^{jT tr R} (Liouville); its fourth root is taken out
+        self.drift = mean
+        centred = (frequencies - mean).real
+        if self.closed_form:
+            sums = centred[:, None] + centred
+            bandwidth = max(np.abs(centred).max(), np.abs(sums[~np.eye(4, dtype=bool)]).max())
+        else:
+            bandwidth = self.share * np.abs(frequencies).max()
+        slope = self._load_slope()
+        coupling = self.basis.inverse[:, system.size :] @ slope @ self.basis.vectors[: system.size]
+        strength = float(np.sqrt(np.abs(coupling * coupling.T).max()))
+        drive = float(np.linalg.norm(slope, 2)) * (
+            largest_load + abs(static_load - float(self.basis.load))
+        )
+        fastest = float(np.sqrt(np.abs(frequencies).max() ** 2 + drive))
+        self.panels = plan_panels(
+            periods,
+            bandwidth=1.03 * float(bandwidth),
+            swing=1.15 * strength * largest_load,
+            rate=density * self.share * fastest * _STEPS_PER_RADIAN / _LEVELS[0],
+            density=density,
+            tolerance=_TOLERANCE,
+            even=self.closed_form,
+        )
+        self.periods = periods
+        self.data = [self._sample(panel) for panel in self.panels]
+
+    def _load_slope(self) -> Array:
+        """Return M⁻¹ times the steepest secant of K(p̄) the load swings over."""
+        system, swing = self.system, max(self.largest_load, 1e-3)
+        slope = system.geometric
+        if not system.is_linear:
+            high = system.load_stiffness(self.static_load + self.largest_load)
+            low = system.load_stiffness(self.static_load + self.largest_load - swing)
+            slope = (high - low) / swing
+        return np.asarray(np.linalg.solve(system.mass, slope))
+
+    def _values(self, period: Array, load: Array, steps: int) -> NDArray[Any]:
+        """Return what is interpolated, (k, T nodes, load nodes)."""
+        y = propagate(
+            self.system,
+            self.basis,
+            (np.full((1, 1), self.static_load), load[None]),
+            self.share * period[:, None],
+            2 * np.pi * self.share,
+            steps,
+            MAP_SCHEME,
+        )
+        if not self.closed_form:
+            return y.reshape(-1, len(period), len(load))
+        y = np.ascontiguousarray(np.moveaxis(y, (0, 1), (2, 3)))
+        if not self.system.is_damped:
+            # half a period is enough: by time reversal Y(−t) = conj Y(t)
+            y = np.linalg.solve(y.conj(), y)
+        scale = np.exp(1j * self.drift * period)[:, None]
+        c = characteristic_coefficients(y, np.broadcast_to(scale, y.shape[:2]))
+        if self.system.is_damped:
+            return c
+        return np.array([c[0].real, c[0].imag, c[1].real])
+
+    def _load_variable(self, load: ArrayLike) -> Array:
+        """Return the variable in which the load is interpolated."""
+        return np.square(load) if self.closed_form else np.abs(load)
+
+    def _sample(self, panel: Panel) -> tuple[NDArray[Any], float, Array]:
+        """Return Chebyshev coefficients (k, T, load) of a panel, its interpolation error and its
+        step error at the load nodes.
+        """
+        period = self.periods[panel.columns]
+        if panel.period_nodes:
+            period = chebyshev_nodes(panel.period_nodes, panel.low, panel.high)
+        top = float(self._load_variable(self.largest_load))
+        load = chebyshev_nodes(panel.load_nodes, 0.0, top)
+        load = np.sqrt(load) if self.closed_form else load
+        # the error is largest at the longest period: one more level there measures it
+        worst = int(np.argmax(period))
+        longest = period[worst : worst + 1]
+        if self.closed_form:
+            runs = [self._values(period, load, level * panel.steps) for level in _LEVELS[:2]]
+            values = np.tensordot(_TWO, runs, 1)
+            least = self._values(longest, load, _LEVELS[2] * panel.steps)
+            three = np.tensordot(_THREE, [runs[0][:, worst], runs[1][:, worst], least[:, 0]], 1)
+            step_error = _SAFETY * np.abs(three - values[:, worst]).max(axis=0)
+        else:
+            values = self._values(period, load, _LEVELS[0] * panel.steps)
+            rough = self._values(longest, load, _LEVELS[1] * panel.steps)
+            step_error = self._characteristic_gap(values[:, worst], rough[:, 0])
+        error = 0.0
+        coefficients = values @ chebyshev_transform(len(load)).T
+        error += float(np.abs(coefficients[..., -2:]).sum(axis=-1).max())
+        if panel.period_nodes:
+            coefficients = chebyshev_transform(len(period)) @ coefficients
+            error += float(np.abs(coefficients[:, -3:]).sum(axis=(1, 2)).max())
+        # rounding in sums of terms of this size
+        return coefficients, error + 1e-15 * float(np.abs(values).max()), step_error
+
+    def _characteristic_gap(self, fine: Complex, rough: Complex) -> Array:
+        """Return how far two sets of propagators (k, L) differ in their multipliers."""
+        size = 2 * self.system.size
+        sides = []
+        for entries in (fine, rough):
+            matrix = np.moveaxis(entries, 0, -1).reshape(-1, size, size)
+            if not self.system.is_damped:
+                matrix = np.linalg.solve(matrix.conj(), matrix)
+            sides.append(np.poly(matrix) if matrix.ndim == 2 else np.array([*map(np.poly, matrix)]))
+        ratio = (_LEVELS[0] / _LEVELS[1]) ** 4 - 1
+        return np.asarray(np.abs(sides[0] - sides[1]).max(axis=-1) / ratio)
+
+    def evaluate(self, panel: int, loads: Array, periods: Array) -> NDArray[Any]:
+        """Return the functions (k, R, C) on a grid of loads and, inside one panel, periods.
+
+        A panel without nodes in T can only be evaluated at its own columns.
+        """
+        plan, coefficients = self.panels[panel], self.data[panel][0]
+        top = float(self._load_variable(self.largest_load))
+        across = chebyshev_values(self._load_variable(loads), 0.0, top, plan.load_nodes)
+        along = coefficients
+        if plan.period_nodes:
+            along = chebyshev_values(periods, plan.low, plan.high, plan.period_nodes) @ along
+        return np.asarray(across @ np.swapaxes(along, 1, 2))
+
+    def growth(
+        self, panel: int, functions: NDArray[Any], loads: Array, periods: Array
+    ) -> tuple[Array, Array]:
+        """Return growth rates and error bounds from evaluated functions (k, R, C)."""
+        plan = self.panels[panel]
+        _, error, step_error = self.data[panel]
+        nodes = chebyshev_nodes(plan.load_nodes, 0.0, float(self._load_variable(self.largest_load)))
+        # rising loads; a bound that never falls
+        bound = np.maximum.accumulate(step_error[::-1])
+        rows = np.interp(self._load_variable(loads), nodes[::-1], bound)
+        error = error + rows[:, None] * (periods / plan.high) ** 4
+        if not self.closed_form:
+            return self._matrix_growth(functions, periods, error)
+        if self.system.is_damped:
+            growth, slack = largest_modulus(functions, error)
+            growth = growth - self.drift.imag * periods
+        else:
+            growth, slack = self_inversive_growth(functions, error)
+        return growth / periods, slack / periods
+
+    def _matrix_growth(
+        self, functions: NDArray[Any], periods: Array, error: Array
+    ) -> tuple[Array, Array]:
+        """Return growth rates from interpolated propagators, one eigenproblem a pixel."""
+        size = 2 * self.system.size
+        matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
+        if not self.system.is_damped:
+            matrix = np.linalg.solve(matrix.conj(), matrix)
+        values = np.linalg.eigvals(matrix)
+        modulus = np.abs(values)
+        top = modulus.argmax(axis=-1)[..., None]
+        largest = np.take_along_axis(values, top, -1)
+        gap = np.abs(values - largest)
+        np.put_along_axis(gap, top, np.inf, -1)
+        gap = gap.min(axis=-1)
+        size_of = np.take_along_axis(modulus, top, -1)[..., 0]
+        slack = 2 * size * error * size_of
+        shift = 2 * slack / (gap + np.sqrt(gap**2 + 4 * slack))
+        return np.log(size_of) / periods, shift / size_of / periods

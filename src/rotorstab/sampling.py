@@ -1,0 +1,161 @@
+"""Where to sample the characteristic polynomial of a whole chart, and how to interpolate it.
+
+Its coefficients are entire functions of the period T and of p̄_t² (a change of sign of p̄_t
+only shifts time by half a period), so a few Chebyshev nodes carry a chart of any size. Long
+periods are few on an axis even in θ̄ but cost most; they are sampled column by column.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from math import lgamma, log
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Panel",
+    "chebyshev_nodes",
+    "chebyshev_transform",
+    "chebyshev_values",
+    "load_nodes",
+    "plan_panels",
+]
+
+Array = NDArray[np.float64]
+
+_CALL_OVERHEAD = 80  # nodes whose work equals NumPy's overhead of a call
+_MARGIN = 7.5  # nodes past the turning point of a Bessel function, for 1e-9
+_CUTS_PER_OCTAVE = 1
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A range of periods sampled together.
+
+    Parameters
+    ----------
+    columns : slice
+        Of the chart's columns sorted by period.
+    low, high : float
+        Range of T.
+    period_nodes : int
+        Chebyshev nodes in T, or 0 to sample each column itself.
+    load_nodes : int
+        Chebyshev nodes in the load.
+    steps : int
+        Common factor of the step counts of the levels.
+    """
+
+    columns: slice
+    low: float
+    high: float
+    period_nodes: int
+    load_nodes: int
+    steps: int
+
+
+@cache
+def chebyshev_transform(count: int) -> Array:
+    """Return the matrix from values at `count` Chebyshev nodes (cos) to coefficients."""
+    angle = (np.arange(count) + 0.5) * np.pi / count
+    matrix = np.cos(np.outer(np.arange(count), angle)) * (2 / count)
+    matrix[0] /= 2
+    matrix.flags.writeable = False
+    return np.asarray(matrix)
+
+
+def chebyshev_nodes(count: int, low: float, high: float) -> Array:
+    """Return the Chebyshev–Gauss nodes of [low, high], falling."""
+    angle = (np.arange(count) + 0.5) * np.pi / count
+    return np.asarray((low + high) / 2 + (high - low) / 2 * np.cos(angle))
+
+
+def chebyshev_values(points: Array, low: float, high: float, count: int) -> Array:
+    """Return T_0 … T_{count−1} at points of [low, high], (..., count)."""
+    width = high - low
+    x = (2 * points - low - high) / width if width > 0 else np.zeros_like(points)
+    return np.asarray(np.cos(np.arccos(np.clip(x, -1, 1))[..., None] * np.arange(count)))
+
+
+def load_nodes(phase: float, tolerance: float, even: bool) -> int:
+    """Return how many Chebyshev nodes in the load resolve a swing of `phase` radians.
+
+    The coefficients fall like those of cos: (phase/4)^{2k}/(2k)! in p̄_t² if the function is
+    even, (phase/8)^k/k! in p̄_t if not.
+    """
+    argument, stride = (phase / 4, 2) if even else (phase / 8, 1)
+    count = 2
+    while count < 60:
+        order = stride * count
+        if order * log(max(argument, 1e-9)) - lgamma(order + 1) < log(tolerance):
+            break
+        count += 1
+    return count + 1
+
+
+def _period_nodes(bandwidth: float, length: float) -> int:
+    """Return how many Chebyshev nodes in T resolve e^{jωT}, |ω| ≤ bandwidth, over a length."""
+    turning = bandwidth * length / 2
+    return int(np.ceil(turning + _MARGIN * turning ** (1 / 3) + 4))
+
+
+def plan_panels(
+    periods: Array,
+    *,
+    bandwidth: float,
+    swing: float,
+    rate: float,
+    density: float,
+    tolerance: float,
+    even: bool,
+) -> tuple[Panel, ...]:
+    """Return the cheapest cut of the sorted periods into panels, at octaves of T.
+
+    Parameters
+    ----------
+    periods : (C,) float
+        Rising.
+    bandwidth : float
+        Largest frequency of the functions to interpolate, as functions of T.
+    swing : float
+        Phase per unit period that the largest load adds.
+    rate : float
+        Steps per unit period, as multiples of the extrapolation's levels.
+    density : float
+        1 for the tuned numbers of nodes, less for a coarse, faster chart.
+    tolerance : float
+        Wanted interpolation error.
+    even : bool
+        Whether the functions are even in the load.
+
+    Returns
+    -------
+    tuple of Panel
+        Rising in T.
+    """
+    octave = np.floor(np.log2(periods[-1] / periods) * _CUTS_PER_OCTAVE)
+    cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1), len(periods)]
+
+    def panel(start: int, stop: int) -> tuple[float, Panel]:
+        low, high = float(periods[start]), float(periods[stop - 1])
+        nodes = int(np.ceil(density * _period_nodes(bandwidth, high - low)))
+        columns = stop - start
+        loads = max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
+        steps = max(1, int(np.ceil(rate * high)))
+        sampled = min(columns, nodes)
+        made = Panel(
+            slice(int(start), int(stop)), low, high, 0 if columns <= nodes else nodes, loads, steps
+        )
+        return (sampled * loads + _CALL_OVERHEAD) * steps, made
+
+    # dynamic programming over the cuts
+    best: list[tuple[float, tuple[Panel, ...]]] = [(0.0, ())]
+    for j in range(1, len(cuts)):
+        options = []
+        for i in range(j):
+            cost, made = panel(cuts[i], cuts[j])
+            options.append((best[i][0] + cost, (*best[i][1], made)))
+        best.append(min(options, key=lambda option: option[0]))
+    return best[-1][1]
