@@ -10,6 +10,16 @@ import subprocess
 import sys
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+FLAGS = (
+    "--no-sandbox",  # a root user in a container has none
+    "--disable-gpu",
+    # no request of its own
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
 HELP = (
     "no Chromium found and none could be installed: install your distribution's chromium package,"
     " or set CHROMIUM=/path/to/chrome, or run `make unit` for the tests that need no browser"

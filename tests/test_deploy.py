@@ -2,22 +2,19 @@
 
 import asyncio
 import contextlib
-import http.client
 import json
 import os
 import re
-import socket
 import subprocess
 import sys
-import time
-from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
-START = Path(__file__).parents[1] / "deploy" / "start.sh"
+from tests.serving import START, Server, run
+
 APP = '''
 import panel as pn
 import panel_material_ui as pmui
@@ -37,54 +34,20 @@ pn.Column(text, pn.pane.Markdown("throw-away"), Part(), pmui.Button(label="press
 LIMIT = 3
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-class Server:
-    """A server of the app, started by the start script and ended by its own process id."""
+class TinyServer(Server):
+    """A server of the throw-away app, with sockets to it."""
 
     def __init__(self, folder, limit):
         (folder / "module_that_exits.py").write_text("raise SystemExit(3)\n")
         app = folder / "tiny.py"
         app.write_text(APP)
-        self.port = free_port()
-        self.log = folder / "log.txt"
-        environment = os.environ | {
-            "PYTHON": sys.executable,
-            "PYTHONPATH": str(folder),
-            "ADDRESS": "127.0.0.1",
-            "PORT": str(self.port),
-            "ROTORSTAB_MAX_SESSIONS": str(limit),
-            "ROTORSTAB_ORIGINS": f"localhost:{self.port},lab.example",
-        }
-        environment.pop("BOKEH_SECRET_KEY", None)
-        with self.log.open("w") as log:
-            self.process = subprocess.Popen(
-                ["sh", START, app], env=environment, stdout=log, stderr=subprocess.STDOUT
-            )
-
-    def wait(self):
-        deadline = time.monotonic() + 60
-        while time.monotonic() < deadline and self.process.poll() is None:
-            try:
-                self.get("/liveness")
-            except OSError:
-                time.sleep(0.1)
-            else:
-                return
-        pytest.fail("the server did not start:\n" + self.log.read_text())
-
-    def get(self, path, method="GET", **headers):
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
-        try:
-            connection.request(method, path, headers=headers)
-            reply = connection.getresponse()
-            return reply.status, reply.headers, reply.read().decode()
-        finally:
-            connection.close()
+        super().__init__(
+            folder / "log.txt",
+            app,
+            origins=["lab.example"],
+            PYTHONPATH=str(folder),
+            ROTORSTAB_MAX_SESSIONS=str(limit),
+        )
 
     def token(self, path="/tiny"):
         status, _, page = self.get(path)
@@ -121,18 +84,14 @@ class Server:
                     pass
             return refused.value.code
 
-        return asyncio.run(attempt())
-
-    def stop(self):
-        self.process.terminate()
-        self.process.wait(20)
+        return run(attempt())
 
 
 @pytest.fixture(scope="module")
 def servers(tmp_path_factory):
     started = [
-        Server(tmp_path_factory.mktemp("many"), 60),
-        Server(tmp_path_factory.mktemp("few"), LIMIT),
+        TinyServer(tmp_path_factory.mktemp("many"), 60),
+        TinyServer(tmp_path_factory.mktemp("few"), LIMIT),
     ]
     try:
         for server in started:
@@ -203,7 +162,7 @@ def test_root_redirects_to_the_app(server):
 
 
 def test_a_socket_of_a_listed_origin_opens_and_answers(server, origin):
-    first, _ = asyncio.run(server.exchange(server.token(), Origin=origin))
+    first, _ = run(server.exchange(server.token(), Origin=origin))
     assert '"ACK"' in first[0]
 
 
@@ -251,7 +210,7 @@ def test_a_hostile_query_still_gets_the_page(server, query):
 def test_a_readable_query_value_beside_a_hostile_one_arrives(server, origin):
     token = server.token("/tiny?good=2.5&bad=" + "9" * 5000)
     pull = '{"msgid":"1","msgtype":"PULL-DOC-REQ"}', "{}", "{}"
-    _, (_, _, text) = asyncio.run(server.exchange(token, *pull, Origin=origin))
+    _, (_, _, text) = run(server.exchange(token, *pull, Origin=origin))
     assert "'good': 2.5" in text
     assert "9999'" not in text
 
@@ -268,7 +227,7 @@ def test_a_failing_app_answers_500_without_its_traceback(server):
 def test_an_error_reply_on_the_socket_has_no_traceback_and_a_short_log_line(server, origin):
     event = {"kind": "ModelChanged", "model": {"id": "none"}, "attr": "a" * 900_000, "new": 1}
     patch = '{"msgid":"1","msgtype":"PATCH-DOC"}', "{}", json.dumps({"events": [event]})
-    _, (header, _, content) = asyncio.run(server.exchange(server.token(), *patch, Origin=origin))
+    _, (header, _, content) = run(server.exchange(server.token(), *patch, Origin=origin))
     assert '"ERROR"' in header
     assert "File " not in content
     assert "Traceback" not in content
@@ -316,7 +275,7 @@ def test_places_are_limited_for_pages_and_sockets(small_server):
                     await asyncio.sleep(0.1)
             pytest.fail("the place of a closed socket stayed taken")
 
-    asyncio.run(crowd())
+    run(crowd())
 
 
 @pytest.mark.parametrize("value", ["0", "many", "-1"])
@@ -346,21 +305,15 @@ def test_a_short_key_stops_the_start():
 
 
 @pytest.mark.browser
-def test_the_policy_blocks_nothing_that_the_page_needs(server, origin):
-    from playwright.sync_api import sync_playwright
-
+def test_the_policy_blocks_nothing_that_the_page_needs(server, origin, browser):
     complaints, hosts = [], set()
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=os.environ.get("CHROMIUM") or None, args=["--no-sandbox"]
-        )
-        page = browser.new_page()
-        page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on("request", lambda request: hosts.add(urlsplit(request.url).netloc))
-        page.goto(f"{origin}/tiny")
-        page.get_by_text("rendered here").wait_for(timeout=30_000)
-        page.get_by_role("button", name="press").wait_for(timeout=30_000)
-        browser.close()
+    page = browser.new_page()
+    page.on("console", lambda m: complaints.append(m.text) if m.type == "error" else None)
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    page.on("request", lambda request: hosts.add(urlsplit(request.url).netloc))
+    page.goto(f"{origin}/tiny")
+    page.get_by_text("rendered here").wait_for(timeout=30_000)
+    page.get_by_role("button", name="press").wait_for(timeout=30_000)
+    page.close()
     assert complaints == []
     assert hosts - {""} == {f"localhost:{server.port}"}
