@@ -7,7 +7,7 @@ it changes. Their size is bounded; their arrays are read-only.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -33,11 +33,12 @@ from rotorstab.charts import (
     load_frequency_chart,
     stiffness_charts,
 )
+from rotorstab.figures import FIGURES, Figure
 from rotorstab.stiffness import largest_exact_load
 
 from .state import State
 
-__all__ = ["CHARTS", "Result", "error_table", "solve", "stiffness_comparison"]
+__all__ = ["CHARTS", "Result", "error_table", "paper_figure", "solve", "stiffness_comparison"]
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
@@ -184,3 +185,9 @@ def error_table(shear: float, tangency: float) -> list[list[float]]:
     """Return [tension 1 %, compression 1 %, tension 5 %, compression 5 %] of k̄₁₁ and k̄₂₂."""
     one, five = (error_loads(shear, tangency, level) for level in (0.01, 0.05))
     return [[*map(float, one[i, i]), *map(float, five[i, i])] for i in (0, 1)]
+
+
+@cache
+def paper_figure(number: int) -> Figure:
+    """Return a figure of the paper, by its number."""
+    return FIGURES[number]()

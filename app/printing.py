@@ -1,51 +1,96 @@
-"""Print-quality pictures, made in one worker process so that no slider waits for them.
+"""Files of figures: tables at once, pictures from one worker process.
 
-Matplotlib needs about a second a picture and the server has one thread. The worker is
-started at the first picture and again after it died; what it makes is kept, bounded.
+Matplotlib needs about a second a picture and the server has one thread, so a worker draws.
+It is started at the first picture and again after it died; what it makes is kept, bounded.
 """
 
 from __future__ import annotations
 
 import multiprocessing
+import sys
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Hashable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any
+from contextlib import contextmanager
+from types import ModuleType
 
-__all__ = ["Printer", "printer"]
+from rotorstab import export, plots_paper
+from rotorstab.figures import Figure
+
+__all__ = ["MIME", "Printer", "printer"]
+
+MIME = {
+    "pdf": "application/pdf",
+    "svg": "image/svg+xml",
+    "png": "image/png",
+    "csv": "text/csv",
+    "json": "application/json",
+}
+_TABLES = {"csv": export.figure_csv, "json": export.figure_json}
+
+
+@contextmanager
+def _no_main() -> Iterator[None]:
+    """Hide the main module: a spawned process would run it again, and while a session is
+    built it is the app itself."""
+    main = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = main
 
 
 class Printer:
-    """Runs jobs (importable functions of hashable arguments) and keeps their results."""
+    """Makes files of figures and keeps the last ones."""
 
     def __init__(self, keep: int = 64) -> None:
         self._keep = keep
         self._pool: ProcessPoolExecutor | None = None
-        self._futures: OrderedDict[Hashable, Future[Any]] = OrderedDict()
+        self._made: OrderedDict[Hashable, Future[bytes]] = OrderedDict()
 
-    def submit(self, job: Callable[..., Any], *arguments: Hashable) -> Future[Any]:
-        """Return the future of job(*arguments); the same one for the same job."""
-        key = (job.__module__, job.__qualname__, arguments)
-        known = self._futures.get(key)
+    def file(self, key: Hashable, figure: Figure, kind: str) -> Future[bytes]:
+        """Return the future of a figure's file of one kind, a key of `MIME`.
+
+        `key` says what the figure shows; the same key and kind give the same future.
+        """
+        known = self._made.get((key, kind))
         if known is not None and not (known.done() and known.exception()):
-            self._futures.move_to_end(key)
+            self._made.move_to_end((key, kind))
             return known
-        future = self._futures[key] = self._start(job, arguments)
-        while len(self._futures) > self._keep:
-            self._futures.popitem(last=False)
+        future = self._made[key, kind] = self._make(figure, kind)
+        while len(self._made) > self._keep:
+            self._made.popitem(last=False)
         return future
 
-    def _start(self, job: Callable[..., Any], arguments: tuple[Hashable, ...]) -> Future[Any]:
+    def _make(self, figure: Figure, kind: str) -> Future[bytes]:
+        made: Future[bytes] = Future()
+        if kind in _TABLES:
+            made.set_result(_TABLES[kind](figure).encode())
+            return made
+
+        def hand_on(drawn: Future[dict[str, bytes]]) -> None:
+            problem = drawn.exception()
+            if problem is None:
+                made.set_result(drawn.result()[kind])
+            else:
+                made.set_exception(problem)
+
+        self._draw(figure, kind).add_done_callback(hand_on)
+        return made
+
+    def _draw(self, figure: Figure, kind: str) -> Future[dict[str, bytes]]:
         for _ in range(2):
             if self._pool is None:
                 # spawn: a fork would carry the server's sockets along
                 self._pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"))
             try:
-                return self._pool.submit(job, *arguments)
+                with _no_main():
+                    return self._pool.submit(plots_paper.figure_files, figure, (kind,))
             except (BrokenProcessPool, RuntimeError):
                 self._pool = None
-        failed: Future[Any] = Future()
+        failed: Future[dict[str, bytes]] = Future()
         failed.set_exception(RuntimeError("the picture process does not start"))
         return failed
 

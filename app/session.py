@@ -11,13 +11,14 @@ from typing import Any
 
 import panel as pn
 
+from rotorstab.charts import chart_figure
 from rotorstab.figures import FIGURES
 
+from .analysis import paper_figure
 from .controls import Controls
-from .jobs import MIME, chart_file, figure_file
 from .pages import PAGES, Page
 from .pages.base import Reply
-from .printing import printer
+from .printing import MIME, printer
 from .state import State
 
 __all__ = ["Session"]
@@ -90,13 +91,14 @@ class Session:
         kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
         if kind not in MIME:
             return Reply({"told": "no such file format"})
-        if chart in self.pages[self.active].charts:
+        if isinstance(chart, str) and chart in self.pages[self.active].charts:
             name = f"rotorstab-{chart}.{kind}"
-            inputs = tuple(self.state.inputs().items())
-            later = printer.submit(chart_file, self.active, chart, inputs, kind)
-        elif number in FIGURES and not isinstance(number, bool):
+            inputs = self.state.inputs()
+            drawn = self.pages[self.active].compute(self.state)[chart]
+            later = printer.file((chart, *inputs.values()), chart_figure(drawn, inputs), kind)
+        elif isinstance(number, int) and not isinstance(number, bool) and number in FIGURES:
             name = f"rotorstab-figure-{number}.{kind}"
-            later = printer.submit(figure_file, number, kind)
+            later = printer.file(number, paper_figure(number), kind)
         else:
             return Reply({"told": "no such chart"})
         return Reply({"told": f"making {name} …"}, later, lambda data: _file(name, kind, data))

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 from rotorstab.figures import FIGURES, Figure, table_1
 
-from ..jobs import figure_file
+from ..analysis import paper_figure
 from ..printing import printer
 from ..state import PRESETS, State
 from .base import Page, Reply
@@ -16,11 +15,6 @@ from .base import Page, Reply
 __all__ = ["Paper"]
 
 _FIELDS = ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
-
-
-@cache
-def _figure(number: int) -> Figure:
-    return FIGURES[number]()
 
 
 def _settings(figure: Figure) -> list[dict[str, Any]]:
@@ -58,7 +52,7 @@ def _shown(value: Any) -> str:
 
 def describe(number: int) -> dict[str, Any]:
     """Return a figure's words and numbers as plain values for the browser."""
-    figure = _figure(number)
+    figure = paper_figure(number)
     return {
         "number": number,
         "title": figure.title,
@@ -101,10 +95,11 @@ class Paper(Page):
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a request for a figure with its words at once and its picture when made."""
         number = message.get("number")
-        if message.get("type") != "figure" or isinstance(number, bool) or number not in FIGURES:
+        known = isinstance(number, int) and not isinstance(number, bool) and number in FIGURES
+        if message.get("type") != "figure" or not known:
             return Reply()
         return Reply(
             now={"figure": describe(number), "table_1": describe_table()},
-            later=printer.submit(figure_file, number, "svg"),
+            later=printer.file(number, paper_figure(number), "svg"),
             wrap=lambda svg: {"picture": {"number": number, "svg": svg.decode()}},
         )

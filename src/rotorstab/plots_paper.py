@@ -13,7 +13,7 @@ from typing import Any, Literal
 import holoviews as hv
 
 from .checks import choice
-from .figures import Figure, Panel
+from .figures import Figure, Panel, Region, Series
 
 __all__ = ["PRINT_FORMATS", "figure_files", "paper_layout"]
 
@@ -30,6 +30,7 @@ _MATPLOTLIB_DASH: dict[str, Any] = {
 _BOKEH_DASH = {"solid": "solid", "dashed": [8, 4], "dashdot": [9, 3, 2, 3], "dotted": [2, 2]}
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _PANEL_INCHES = (3.2, 2.6)
+_SINGLE_INCHES = (5.6, 3.8)
 _SETTINGS = {
     "font.size": 9.0,
     "font.family": "DejaVu Sans",
@@ -58,6 +59,11 @@ def _axis_label(symbol: str, unit: str) -> str:
     return symbol if unit == "-" else f"{symbol} [{unit}]"
 
 
+def _color(line: Series | Region) -> str:
+    """Return the line's own colour, or its style's."""
+    return getattr(line, "color", None) or _COLORS[line.style]
+
+
 def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
     """Return one panel: shaded regions below, lines above."""
     printed = backend == "matplotlib"
@@ -65,10 +71,10 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
     shades = [
         hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
             **(
-                {"facecolor": _COLORS[region.style], "edgecolor": "none", "alpha": 0.14}
+                {"facecolor": hv.Cycle([_color(region)]), "edgecolor": "none", "alpha": 0.14}
                 if printed
                 else {
-                    "fill_color": _COLORS[region.style],
+                    "fill_color": _color(region),
                     "fill_alpha": 0.14,
                     "line_alpha": 0.0,
                     "xlabel": axes[0],
@@ -86,12 +92,23 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
                 if printed
                 else {"line_dash": _BOKEH_DASH[line.style], "line_width": 2}
             ),
-            color=_COLORS[line.style],
+            color=_color(line),
             backend=backend,
         )
         for line in panel.series
+        if line.x.size > 1
     ]
-    title = f"({panel.letter}) {panel.title}"
+    lines += [
+        hv.Points((line.x, line.y), ["x", "y"]).opts(
+            **({"s": 22} if printed else {"size": 8}),
+            marker="D" if printed else "diamond",
+            color=_color(line),
+            backend=backend,
+        )
+        for line in panel.series
+        if line.x.size == 1
+    ]
+    title = f"({panel.letter}) {panel.title}" if panel.letter else panel.title
     label_x, label_y = _axis_label(axes[0], panel.x_unit), _axis_label(axes[1], panel.y_unit)
     if printed:
         label_x, label_y = _mathtext(label_x), _mathtext(label_y)
@@ -142,7 +159,7 @@ def paper_layout(
 
 def _finish(axes: Any, panel: Panel) -> None:
     """Frame, title and labels: above the frame at its top edge, else beside the line."""
-    title = _mathtext(f"({panel.letter}) {panel.title}")
+    title = _mathtext(f"({panel.letter}) {panel.title}") if panel.letter else ""
     axes.set_title(title, pad=12 if panel.regions else 6)
     axes.set_aspect("auto")
     axes.tick_params(direction="in", top=True, right=True)
@@ -150,6 +167,8 @@ def _finish(axes: Any, panel: Panel) -> None:
     for x, y, text in panel.labels:
         at_top = y >= panel.y_range[1]
         backward = text.endswith("B")
+        # a label just under the frame would touch it
+        below = not at_top and y > panel.y_range[1] - 0.06 * (panel.y_range[1] - panel.y_range[0])
         # to the left of its line, but clear of the axis numbers at the left edge
         leftward = at_top and backward and x > 0.07 * panel.x_range[1]
         axes.annotate(
@@ -158,7 +177,7 @@ def _finish(axes: Any, panel: Panel) -> None:
             xytext=((-1 if leftward else 1), 2) if at_top else (4, -9 if backward else 3),
             textcoords="offset points",
             ha="right" if leftward else "left",
-            va="bottom",
+            va="top" if below else "bottom",
             fontsize=7.0,
             color="#444444",
             annotation_clip=False,
@@ -215,30 +234,39 @@ def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
 
     columns = _columns(figure)
     rows = -(-len(figure.panels) // columns)
-    width, height = columns * _PANEL_INCHES[0], rows * _PANEL_INCHES[1] + 0.55
+    across, down = _PANEL_INCHES if columns > 1 else _SINGLE_INCHES
+    groups = figure.groups()
+    entries = max(2, int(columns * across / 2.6))  # in a row of the legend
+    lower = 0.35 + 0.18 * -(-len(groups) // entries)
+    width, height = columns * across, rows * down + lower
     drawn.set_size_inches(width, height)
     axes = [one for one in drawn.axes if one.get_title()]
     for index, (one, panel) in enumerate(zip(axes, figure.panels, strict=True)):
         row, column = divmod(index, columns)
         one.set_position(
             (
-                (column * _PANEL_INCHES[0] + 0.62) / width,
-                (height - (row + 1) * _PANEL_INCHES[1] + 0.42) / height,
-                (_PANEL_INCHES[0] - 0.82) / width,
-                (_PANEL_INCHES[1] - 0.8) / height,
+                (column * across + 0.62) / width,
+                (height - (row + 1) * down + 0.42) / height,
+                (across - 0.82) / width,
+                (down - 0.8) / height,
             )
         )
         _finish(one, panel)
-    groups = figure.groups()
     drawn.legend(
         handles=[
-            Line2D([], [], color=_COLORS[style], linestyle=_MATPLOTLIB_DASH[style])
-            for style in groups.values()
+            Line2D(
+                [],
+                [],
+                color=_color(line),
+                linestyle=_MATPLOTLIB_DASH[line.style] if line.x.size > 1 else "",
+                marker="" if line.x.size > 1 else "D",
+            )
+            for line in groups.values()
         ],
         labels=[_mathtext(group) for group in groups],
         loc="lower center",
         bbox_to_anchor=(0.5, 0.24 / height),
-        ncols=len(groups),
+        ncols=min(entries, len(groups)),
         frameon=False,
         handlelength=3.4,
     )

@@ -49,7 +49,9 @@ class Series:
     style : {"solid", "dashed", "dashdot", "dotted"}
         As in the paper's caption; dotted are complex pairs, which the paper does not mark.
     x, y : (m,) float
-        NaN where the line has a gap.
+        NaN where the line has a gap; a single point is drawn as a mark.
+    color : str, optional
+        Where the style alone does not tell groups apart; by default the style's own.
     """
 
     name: str
@@ -57,6 +59,7 @@ class Series:
     style: Style
     x: Array
     y: Array
+    color: str | None = None
 
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
@@ -166,10 +169,10 @@ class Figure:
         """Return the panel of that letter."""
         return next(panel for panel in self.panels if panel.letter == letter)
 
-    def groups(self) -> dict[str, Style]:
-        """Return every group with its line style, in the order of drawing, dotted last."""
-        styles = {one.group: one.style for panel in self.panels for one in panel.series}
-        return dict(sorted(styles.items(), key=lambda item: item[1] == "dotted"))
+    def groups(self) -> dict[str, Series]:
+        """Return one line of every group, in the order of drawing, dotted last."""
+        lines = {one.group: one for panel in self.panels for one in panel.series}
+        return dict(sorted(lines.items(), key=lambda item: item[1].style == "dotted"))
 
 
 def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
