@@ -21,6 +21,7 @@ from .commands import (
     run_figure,
     run_regions,
     run_table,
+    run_validation,
     run_whirl,
 )
 from .figures import FIGURES
@@ -96,6 +97,10 @@ def _parser() -> argparse.ArgumentParser:
 
     conclusions = commands.add_parser("conclusions", help="the paper's conclusions, checked")
     conclusions.set_defaults(run=run_conclusions)
+
+    validation = commands.add_parser("validation", help="published values beside ours")
+    _add_output(validation, ".md")
+    validation.set_defaults(run=run_validation)
 
     sweep = "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); default %(default)s"
     whirl = commands.add_parser("whirl", help="whirl frequencies of an own rotor")

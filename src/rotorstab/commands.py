@@ -22,9 +22,18 @@ from .figures import CONCLUSIONS, FIGURES, Figure, Statement, own_regions, table
 from .finite_element import finite_element
 from .rotor import ShaftDisk
 from .system import System, lumped
+from .validation import validation_markdown
 from .whirl import whirl_frequencies
 
-__all__ = ["MOST_VALUES", "run_conclusions", "run_figure", "run_regions", "run_table", "run_whirl"]
+__all__ = [
+    "MOST_VALUES",
+    "run_conclusions",
+    "run_figure",
+    "run_regions",
+    "run_table",
+    "run_validation",
+    "run_whirl",
+]
 
 _DRAWN = (".pdf", ".svg", ".png")
 _TABLES = (".csv", ".json")
@@ -170,6 +179,12 @@ def run_conclusions(_: argparse.Namespace) -> None:
     """Print the five conclusions."""
     statements = [conclusion() for conclusion in CONCLUSIONS.values()]
     sys.stdout.write(_reading("The paper's conclusions on our numbers", statements))
+
+
+def run_validation(arguments: argparse.Namespace) -> None:
+    """Write or print the validation table."""
+    text = validation_markdown()
+    _emit(text, lambda _: text, arguments, (".md",))
 
 
 def _rotor(arguments: argparse.Namespace) -> ShaftDisk:

@@ -1,0 +1,13 @@
+"""Published and separately calculated values, each with its source, and how we get ours.
+
+The one list that the tests and the validation table read.
+"""
+
+from .literature import classical, paper
+from .separate import separate
+from .structure import Published
+
+__all__ = ["PUBLISHED", "Published"]
+
+PUBLISHED: tuple[Published, ...] = (*paper(), *classical(), *separate())
+"""Every value, in the order of the validation table."""
