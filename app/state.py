@@ -159,7 +159,7 @@ class State(param.Parameterized):
         for name, value in values.items():
             problem = _problem(name, value)
             if problem:
-                errors[str(name)[:40]] = problem
+                errors[_short(name)] = problem
             else:
                 good[name] = float(value) if isinstance(value, int | float) else value
         low = good.get("lowest_frequency", self.lowest_frequency)
@@ -177,11 +177,16 @@ class State(param.Parameterized):
     def apply_preset(self, name: Any) -> dict[str, str]:
         """Set the parameters of a named preset."""
         if not isinstance(name, str) or name not in PRESETS:
-            return {"preset": f"no preset named {str(name)[:40]!r}"}
+            return {"preset": f"no preset named {_short(name)!r}"}
         return self.change(PRESETS[name])
 
 
 _NAMES = tuple(name for name in State.param if name != "name")
+
+
+def _short(name: Any) -> str:
+    """Return a foreign name fit for an answer; str() itself fails on an integer of 5000 digits."""
+    return name[:40] if isinstance(name, str) else type(name).__name__
 
 
 def _problem(name: Any, value: Any) -> str:
