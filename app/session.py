@@ -60,7 +60,10 @@ class Session:
         """Act on one message and describe the state that follows."""
         errors: dict[str, str] = {}
         reply = Reply()
-        kind, values, name = (message.get(key) for key in ("type", "values", "name"))
+        values = message.get("values")
+        # a forged message may hold anything; lists and arrays have no hash and no truth value
+        message = {key: one for key, one in message.items() if isinstance(one, str | int | float)}
+        kind, name = message.get("type"), message.get("name")
         if kind == "change" and isinstance(values, Mapping):
             errors = self.state.change(values)
         elif kind == "preset":
@@ -70,8 +73,8 @@ class Session:
             self.reset_view()
         elif kind == "view":
             self.reset_view()
-        elif kind == "page" and isinstance(name, str) and name in self.pages:
-            self.active = name
+        elif kind == "page" and name in self.pages:
+            self.active = str(name)
         elif kind == "export":
             reply = self.export(message)
         else:

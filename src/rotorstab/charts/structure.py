@@ -62,12 +62,19 @@ class Layer:
     label : str
         Unique within its chart.
     columns : mapping of str to sequence
-        Equal lengths.
+        Equal lengths; arrays become read-only, because charts are shared.
     """
 
     kind: str
     label: str
     columns: Mapping[str, Sequence[Any]]
+
+    def __post_init__(self) -> None:
+        """Guard the arrays."""
+        for column in self.columns.values():
+            for array in (column, *column):
+                if isinstance(array, np.ndarray):
+                    array.flags.writeable = False
 
 
 @dataclass(frozen=True, eq=False)

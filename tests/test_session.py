@@ -1,0 +1,406 @@
+"""One user's session without a server: messages in, answers and patched Bokeh sources out."""
+
+import json
+import math
+from functools import partial
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import app.analysis
+from app.analysis import CHARTS, solve
+from app.controls import GROUPS, Controls
+from app.pages import PAGES, explore
+from app.session import Session
+from app.state import PRESETS, State
+from rotorstab import plots
+
+# a value of every input away from its default, and the charts that it moves
+MOVES = {
+    "load_type": ("follower", {"instability", "campbell"}),
+    "tangency": (0.25, set(CHARTS)),
+    "static_load_factor": (0.3, set(CHARTS)),
+    "spin_speed": (1.3, set(CHARTS)),
+    "shear": (0.05, set(CHARTS)),
+    "disk_mass": (7.5, set(CHARTS)),
+    "diametral_inertia": (1.2, set(CHARTS)),
+    "polar_inertia": (0.7, set(CHARTS)),
+    "reference": ("flutter", set(CHARTS)),
+    "largest_factor": (0.6, {"instability"}),
+    "lowest_frequency": (3.0, {"instability"}),
+    "highest_frequency": (9.0, {"instability"}),
+    "stiffness": ("both", {"load-frequency"}),
+}
+FLOATS = [name for name, (value, _) in MOVES.items() if isinstance(value, float)]
+
+
+@pytest.fixture(scope="module")
+def shared():
+    return Session()
+
+
+@pytest.fixture
+def session(shared):
+    """A session at its start; building one takes half a second."""
+    shared.respond({"type": "page", "name": "explore"})
+    shared.respond({"type": "reset"})
+    return shared
+
+
+def change(session, **values):
+    return session.respond({"type": "change", "values": values})
+
+
+def charts(session):
+    return session.pages["explore"].charts
+
+
+def ranges(chart):
+    figure = chart.figure
+    return [(axis.start, axis.end) for axis in (figure.x_range, figure.y_range)]
+
+
+def plain(value):
+    """Columns as lists, NaN as None, so that they can be compared."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple | np.ndarray):
+        return [plain(one) for one in value]
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def picture(session):
+    """Everything that the three figures show."""
+    return {
+        key: (
+            {label: plain(dict(source.data)) for label, source in chart.sources.items()},
+            ranges(chart),
+        )
+        for key, chart in charts(session).items()
+    }
+
+
+def expected(**values):
+    """What the figures must show for these inputs, straight from the solver."""
+    state = State()
+    assert state.change(values) == {}
+    return {
+        key: (
+            {layer.label: plain(plots.columns(layer)) for layer in chart.layers},
+            [chart.x_range, chart.y_range],
+        )
+        for key, chart in solve(state).charts.items()
+    }
+
+
+def test_every_input_is_moved_by_a_test_and_has_a_control():
+    assert set(MOVES) == set(State().inputs())
+    assert {name for _, _, names in GROUPS for name in names} == set(MOVES)
+
+
+def test_a_session_starts_with_the_solvers_picture(session):
+    assert picture(session) == expected()
+    assert set(charts(session)) == set(CHARTS)
+
+
+@pytest.mark.parametrize("name", MOVES)
+def test_each_input_moves_its_charts_to_what_the_solver_returns(session, name):
+    value, moved = MOVES[name]
+    before = picture(session)
+    answer = change(session, **{name: value})
+    after = picture(session)
+    assert after == expected(**{name: value})
+    assert {key for key in CHARTS if before[key] != after[key]} == moved
+    assert answer["values"][name] == value
+    assert (answer["errors"], answer["notice"]) == ({}, "")
+    assert answer["numbers"] == solve(session.state).numbers
+
+
+@given(st.data())
+def test_any_sequence_of_changes_ends_in_the_picture_of_its_last_state(shared, data):
+    shared.respond({"type": "reset"})
+    for _ in range(data.draw(st.integers(1, 3))):
+        name = data.draw(st.sampled_from(FLOATS))
+        low, high = State.param[name].bounds
+        change(shared, **{name: data.draw(st.floats(low, high).map(lambda x: round(x, 2)))})
+    assert picture(shared) == expected(**shared.state.inputs())
+    assert shared.notice == ""
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_presets_and_reset(session, preset):
+    answer = session.respond({"type": "preset", "name": preset})
+    assert answer["values"].items() >= PRESETS[preset].items()
+    assert picture(session) == expected(**PRESETS[preset])
+    answer = session.respond({"type": "reset"})
+    assert answer["values"] == State().inputs()
+    assert picture(session) == expected()
+
+
+def test_good_values_are_drawn_while_bad_ones_are_refused(session):
+    answer = change(session, shear=0.03, spin_speed=99, polar_inertia=math.nan)
+    assert set(answer["errors"]) == {"spin_speed", "polar_inertia"}
+    assert picture(session) == expected(shear=0.03)
+
+
+def test_answers_are_plain_json(session):
+    """Without NaN and infinity, which a browser's JSON refuses."""
+    for name in PRESETS:
+        json.dumps(session.respond({"type": "preset", "name": name}), allow_nan=False)
+    rigid = session.respond({"type": "change", "values": {"polar_inertia": 6, "shear": 0}})
+    json.dumps(rigid, allow_nan=False)
+
+
+GARBAGE = [
+    {},
+    {"type": None},
+    {"type": "nothing"},
+    {"type": 7, "values": 7},
+    {"type": []},
+    {"type": {}},
+    {"type": np.array([1.0, 2.0])},
+    {"type": np.array(["change", "reset"])},
+    {"type": "change"},
+    {"type": "change", "values": None},
+    {"type": "change", "values": []},
+    {"type": "change", "values": "shear"},
+    {"type": "change", "values": [["shear", 0.01]]},
+    {"type": "change", "values": np.ones(3)},
+    {"type": "change", "values": {"shear": np.ones(3)}},
+    {"type": "change", "values": {"shear": {"type": "number", "value": "nan"}}},
+    {"type": "change", "values": {None: 1, 3: 2, ("a",): 4, 10**5000: 5}},
+    {"type": "change", "values": {"shear": 10**5000}},
+    {"type": "change", "values": {"load_type": np.array(["axial", "follower"])}},
+    {"type": "change", "values": {"load_type": "sideways"}},
+    {"type": "preset"},
+    {"type": "preset", "name": np.array(["a", "b"])},
+    {"type": "preset", "name": {}},
+    {"type": "preset", "name": 10**5000},
+    {"type": "page"},
+    {"type": "page", "name": "nowhere"},
+    {"type": "page", "name": []},
+    {"type": "page", "name": np.array([1, 2])},
+    {"type": "figure", "number": []},
+    {"type": "figure", "number": np.ones(2)},
+    {"type": "export"},
+    {"type": "export", "format": []},
+    {"type": "export", "format": "pdf", "chart": []},
+    {"type": "export", "format": "pdf", "chart": {}, "number": {}},
+    {"type": "export", "format": "pdf", "number": np.ones(2)},
+    {"type": "export", "format": "pdf", "number": 10**400},
+    {"type": "export", "format": "../../x", "number": 2},
+]
+
+
+@pytest.mark.parametrize("message", GARBAGE, ids=range(len(GARBAGE)))
+def test_garbage_raises_nothing_and_loses_nothing(session, message):
+    change(session, shear=0.03)
+    before = session.state.inputs(), picture(session), session.active
+    answer = session.respond(message)
+    assert (session.state.inputs(), picture(session), session.active) == before
+    assert set(answer) >= {"values", "errors", "notice", "numbers", "page"}
+    assert answer["values"] == session.state.inputs()
+    json.dumps(answer, allow_nan=False)
+
+
+json_values = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=10), inner, max_size=3)
+    ),
+    max_leaves=6,
+)
+messages = st.fixed_dictionaries(
+    {},
+    optional={
+        "type": st.sampled_from(["change", "preset", "view", "export", "figure"]) | json_values,
+        "values": st.dictionaries(st.sampled_from(list(MOVES)), json_values) | json_values,
+        "name": st.sampled_from(list(PRESETS)) | json_values,
+        "seq": json_values,
+    },
+)
+
+
+@given(messages)
+def test_no_message_of_any_form_raises(shared, message):
+    answer = shared.respond(message)
+    json.dumps(answer, allow_nan=False)
+    assert answer["values"] == shared.state.inputs()
+
+
+@pytest.mark.parametrize("data", [None, 1, "text", [], [{}], b"", np.ones(2), {"seq": 1}])
+@pytest.mark.parametrize("seq", [None, 5, "5", [], math.nan, 10**400])
+def test_the_component_answers_mappings_with_their_number_and_ignores_the_rest(
+    monkeypatch, data, seq
+):
+    sent = []
+    controls = Controls(lambda message: {"values": {}})
+    monkeypatch.setattr(controls, "_send_msg", sent.append)
+    if isinstance(data, dict):
+        data = data | {"seq": seq}
+    controls._handle_msg(data)
+    if isinstance(data, dict):
+        ((answer),) = sent
+        assert answer["seq"] == (seq if isinstance(seq, int) else 0)
+    else:
+        assert sent == []
+
+
+def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monkeypatch):
+    change(session, shear=0.03)
+    before = picture(session)
+
+    def no_answer(state):
+        raise ValueError("this rotor has no such load")
+
+    monkeypatch.setattr(explore, "solve", no_answer)
+    answer = change(session, shear=0.04)
+    assert answer["notice"] == "this rotor has no such load"
+    assert answer["values"]["shear"] == 0.04
+    assert picture(session) == before
+
+    monkeypatch.undo()
+    answer = change(session, shear=0.05)
+    assert answer["notice"] == ""
+    assert picture(session) == expected(shear=0.05)
+
+
+def test_a_failure_keeps_the_picture_and_tells_no_detail(session, monkeypatch, caplog):
+    before = picture(session)
+
+    def failure(state):
+        raise RuntimeError("a detail of the inside")
+
+    monkeypatch.setattr(explore, "solve", failure)
+    answer = change(session, shear=0.04)
+    assert "could not be computed" in answer["notice"]
+    assert "detail" not in answer["notice"]
+    assert picture(session) == before
+    assert "a detail of the inside" in caplog.text
+    assert "0.04" in caplog.text
+
+
+def zoom(chart, x, y):
+    """What the browser sends when a user zooms."""
+    chart.figure.x_range.update(start=x[0], end=x[1])
+    chart.figure.y_range.update(start=y[0], end=y[1])
+
+
+def test_zoom_is_kept_while_a_slider_moves_and_lost_on_request(session):
+    live = charts(session)["instability"]
+    zoom(live, (2.0, 4.0), (0.1, 0.3))
+    change(session, static_load_factor=0.2)
+    change(session, largest_factor=0.5, highest_frequency=12.0)
+    assert ranges(live) == [(2.0, 4.0), (0.1, 0.3)]
+    figure = live.figure
+    assert (figure.x_range.reset_start, figure.x_range.reset_end) == (0.0, 12.0)
+    assert (figure.y_range.reset_start, figure.y_range.reset_end) == (0.0, 0.5)
+    session.respond({"type": "view"})
+    assert ranges(live) == [(0.0, 12.0), (0.0, 0.5)]
+    # and the ranges follow again
+    change(session, highest_frequency=10.0)
+    assert ranges(live) == [(0.0, 10.0), (0.0, 0.5)]
+
+
+def test_a_zoom_along_one_axis_leaves_the_other_following(session):
+    live = charts(session)["instability"]
+    live.figure.x_range.update(start=2.0, end=4.0)
+    change(session, largest_factor=0.5)
+    assert ranges(live) == [(2.0, 4.0), (0.0, 0.5)]
+    session.respond({"type": "reset"})
+    assert ranges(live) == [(0.0, 16.0), (0.0, 1.0)]
+
+
+def test_ranges_follow_where_nobody_zoomed(session):
+    for values in ({"disk_mass": 0.5, "spin_speed": 4.0}, {"disk_mass": 20.0}, {"shear": 0.1}):
+        change(session, **values)
+        result = solve(session.state).charts
+        for key, live in charts(session).items():
+            assert ranges(live) == [result[key].x_range, result[key].y_range]
+
+
+def test_charts_are_built_once(session, monkeypatch):
+    def models():
+        return {
+            key: {model.id for model in live.figure.references()}
+            for key, live in charts(session).items()
+        }
+
+    before = models()
+    monkeypatch.setattr(plots, "element", lambda chart: pytest.fail("a chart was built anew"))
+    for name, (value, _) in MOVES.items():
+        change(session, **{name: value})
+    for preset in PRESETS:
+        session.respond({"type": "preset", "name": preset})
+    assert models() == before
+
+
+def test_unchanged_columns_are_not_sent_again(session):
+    patched = []
+
+    def note(where, attr, old, new):
+        patched.append(where)
+
+    for key, live in charts(session).items():
+        for label, source in live.sources.items():
+            source.on_change("data", partial(note, (key, label)))
+    change(session, stiffness="both")
+    assert {key for key, _ in patched} == {"load-frequency"}
+    patched.clear()
+    change(session, spin_speed=1.0)
+    assert ("campbell", "marks") in patched
+    assert ("campbell", "whirl") not in patched
+    patched.clear()
+    session.respond({"type": "hello"})
+    change(session, spin_speed=1.0)
+    assert patched == []
+
+
+def test_sessions_share_arrays_but_not_state(session):
+    other = Session()
+    assert solve(other.state) is solve(session.state)
+    change(other, shear=0.07)
+    assert session.state.shear == State().shear
+    assert picture(session) == expected()
+    assert picture(other) == expected(shear=0.07)
+    for key, live in charts(session).items():
+        assert live.figure is not charts(other)[key].figure
+
+
+def arrays(value):
+    if isinstance(value, np.ndarray):
+        yield value
+    elif isinstance(value, dict):
+        for one in value.values():
+            yield from arrays(one)
+    elif isinstance(value, list | tuple):
+        for one in value:
+            yield from arrays(one)
+
+
+def test_shared_arrays_cannot_be_written():
+    for chart in solve(State()).charts.values():
+        for layer in chart.layers:
+            for array in arrays(dict(layer.columns)):
+                assert not array.flags.writeable, (chart.key, layer.label)
+
+
+def test_caches_are_bounded():
+    caches = [one for one in vars(app.analysis).values() if hasattr(one, "cache_parameters")]
+    assert len(caches) >= 4
+    for cache in caches:
+        assert 0 < cache.cache_parameters()["maxsize"] <= 1024
+
+
+def test_pages_are_built_when_first_opened():
+    session = Session()
+    for page in PAGES[1:]:
+        assert session.pages[page.key].charts == {}
+        answer = session.respond({"type": "page", "name": page.key})
+        assert (answer["page"], answer["notice"]) == (page.key, "")
+        assert set(session.pages[page.key].charts) == set(page.chart_keys)
+    change(session, shear=0.05)
+    session.respond({"type": "page", "name": "explore"})
+    assert picture(session) == expected(shear=0.05)
