@@ -6,27 +6,33 @@ it changes. Their size is bounded; their arrays are read-only.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
 
 from rotorstab import (
+    ResonanceTable,
     ShaftDisk,
     System,
     WhirlCurves,
     bolotin_chart,
+    bolotin_mask,
     campbell_diagram,
     critical_load,
     critical_speeds,
+    finite_element,
     flutter_load,
     fundamental_frequency,
+    growth_map,
     load_frequency_curves,
     lumped,
+    resonances,
 )
 from rotorstab.charts import (
     Chart,
+    GrowthGrid,
     campbell_chart,
     error_loads,
     instability_chart,
@@ -34,17 +40,62 @@ from rotorstab.charts import (
     stiffness_charts,
 )
 from rotorstab.figures import FIGURES, Figure
+from rotorstab.stability import GrowthMap
 from rotorstab.stiffness import largest_exact_load
 
 from .state import State
 
-__all__ = ["CHARTS", "Result", "error_table", "paper_figure", "solve", "stiffness_comparison"]
+__all__ = [
+    "CHARTS",
+    "FloquetAnswer",
+    "Model",
+    "Result",
+    "error_table",
+    "paper_figure",
+    "solve",
+    "stiffness_comparison",
+]
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
 LOADS = 400
 SPEEDS = 200
+ELEMENTS, MODES = 20, 4
+# rows and columns of the growth map, density of its nodes, whether doubtful pixels are
+# computed again; settled or not
+PIXELS = {
+    ("lumped", False): (48, 96, 0.6, False),
+    ("lumped", True): (120, 240, 1.0, True),
+    ("finite elements", False): (20, 40, 0.6, False),
+    ("finite elements", True): (60, 120, 1.0, False),
+}
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
+
+
+@dataclass(frozen=True, eq=False)
+class FloquetAnswer:
+    """What Floquet says of the chart's window.
+
+    Parameters
+    ----------
+    table : ResonanceTable
+        Every pair of modes at β_d = 0.1.
+    frequency_range : (float, float)
+        Of the chart, in ω_n.
+    fundamental_frequency, reference_load : float
+        ω_n and what β_d = 1 stands for.
+    unstable_share, bolotin_share, both_share : float
+        Shares of the chart's area; the latter two NaN where there is no Bolotin region to
+        compare with.
+    """
+
+    table: ResonanceTable
+    frequency_range: tuple[float, float]
+    fundamental_frequency: float
+    reference_load: float
+    unstable_share: float
+    bolotin_share: float
+    both_share: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +104,7 @@ class Result:
 
     charts: dict[str, Chart]
     numbers: dict[str, Any]
+    floquet: FloquetAnswer
 
 
 @lru_cache(maxsize=256)
@@ -79,18 +131,42 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     return np.linspace(low, min(step * np.ceil(far / step), 0.9 * pole), LOADS)
 
 
+@dataclass(frozen=True)
+class Model:
+    """Which system the charts are of, spin speed and tangency apart."""
+
+    rotor: ShaftDisk
+    kind: str = "lumped"
+    law: str = "linear"
+    external_damping: float = 0.0
+    internal_damping: float = 0.0
+
+    def system(self, spin_speed: float, tangency: float, law: str | None = None) -> System:
+        """Return the system; `law` overrides the stiffness law of the lumped model."""
+        damping = self.external_damping, self.internal_damping
+        if self.kind == "lumped":
+            return lumped(self.rotor, spin_speed, tangency, *damping, stiffness=law or self.law)
+        return finite_element(self.rotor, spin_speed, tangency, ELEMENTS, MODES, *damping)
+
+    def undamped(self) -> Model:
+        """Return the model without damping, which is what Bolotin's method is for."""
+        return replace(self, external_damping=0.0, internal_damping=0.0)
+
+
 @lru_cache(maxsize=128)
 def _load_curves(
-    rotor: ShaftDisk, spin_speed: float, tangency: float, stiffness: str
+    model: Model, spin_speed: float, tangency: float, stiffness: str
 ) -> dict[str, WhirlCurves]:
-    loads = _loads(rotor, spin_speed)
+    loads = _loads(model.rotor, spin_speed)
     kinds = {"axial": 0.0, "follower": 1.0}
     if tangency not in kinds.values():
         kinds["partly"] = tangency
     laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
+    if model.kind != "lumped":
+        laws = ("linear",)  # the distributed shaft has no other
     return {
         kind + (" exact" if law == "exact" else ""): load_frequency_curves(
-            lumped(rotor, spin_speed, share, stiffness=law), loads
+            model.system(spin_speed, share, law), loads
         )
         for law in laws
         for kind, share in kinds.items()
@@ -98,9 +174,30 @@ def _load_curves(
 
 
 @lru_cache(maxsize=128)
-def _campbell(rotor: ShaftDisk, tangency: float, load: float) -> WhirlCurves:
+def _campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
-    return campbell_diagram(lumped(rotor, 0.0, tangency), speeds, load)
+    return campbell_diagram(model.system(0.0, tangency), speeds, load)
+
+
+@lru_cache(maxsize=48)
+def _growth(
+    model: Model,
+    spin_speed: float,
+    tangency: float,
+    static_load: float,
+    window: tuple[float, float, float],
+    settled: bool,
+) -> tuple[GrowthMap, np.ndarray | None]:
+    """Return the growth map of (lowest θ̄, highest θ̄, largest p̄_t) and Bolotin's mask."""
+    low, high, top = window
+    rows, columns, density, refine = PIXELS[model.kind, settled]
+    loads = (np.arange(rows) + 0.5) / rows * top
+    frequencies = low + (np.arange(columns) + 0.5) / columns * (high - low)
+    growth = growth_map(
+        model.system(spin_speed, tangency), static_load, loads, frequencies, density, refine
+    )
+    plain = model.undamped().system(spin_speed, tangency)
+    return growth, bolotin_mask(plain, static_load, loads, frequencies)
 
 
 def _frequencies(system: System, load: float) -> dict[str, list[float]]:
@@ -112,11 +209,11 @@ def _frequencies(system: System, load: float) -> dict[str, list[float]]:
     }
 
 
-@lru_cache(maxsize=512)
-def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
+@lru_cache(maxsize=128)
+def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
     inputs = dict(items)
-    rotor: ShaftDisk = inputs["rotor"]
-    spin, tangency = inputs["spin_speed"], inputs["tangency"]
+    model: Model = inputs["model"]
+    rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
     buckling, frequency, flutter_at_rest = _rotor_numbers(rotor)
     reference = buckling if inputs["reference"] == "buckling" else flutter_at_rest
     if not np.isfinite(reference):
@@ -124,21 +221,31 @@ def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
             "this rotor has no flutter load: let the load factors refer to static buckling"
         )
     static = inputs["static_load_factor"] * reference
-    system = lumped(rotor, spin, tangency)
+    top = inputs["largest_factor"]
+    frequency_range = (inputs["lowest_frequency"], inputs["highest_frequency"])
+    system = model.system(spin, tangency)
+    plain = model.undamped().system(spin, tangency)
     flutter = _flutter(rotor, spin)
-    limits = {"buckling": buckling, "flutter": flutter}
+    window = (frequency_range[0] * frequency, frequency_range[1] * frequency, top * reference)
+    growth, mask = _growth(model, spin, tangency, static, window, settled)
+    unstable = growth.growth > growth.error
+    table = resonances(system, static, 0.1 * reference)
     charts = (
         instability_chart(
-            bolotin_chart(system, static, inputs["largest_factor"] * reference, BOUNDARY_ROWS),
+            bolotin_chart(plain, static, top * reference, BOUNDARY_ROWS),
             frequency,
             reference,
-            (inputs["lowest_frequency"], inputs["highest_frequency"]),
-            inputs["largest_factor"],
+            frequency_range,
+            top,
+            GrowthGrid(growth.growth, unstable, mask, inputs["growth_unit"] == "per period"),
+            [(row.centre / frequency, row.name) for row in table.tongues],
         ),
         load_frequency_chart(
-            _load_curves(rotor, spin, tangency, inputs["stiffness"]), static, limits
+            _load_curves(model, spin, tangency, inputs["stiffness"]),
+            static,
+            {"buckling": buckling, "flutter": flutter},
         ),
-        campbell_chart(_campbell(rotor, tangency, static), spin, critical_speeds(system, static)),
+        campbell_chart(_campbell(model, tangency, static), spin, critical_speeds(system, static)),
     )
     return Result(
         charts={chart.key: chart for chart in charts},
@@ -151,11 +258,26 @@ def _solve(items: tuple[tuple[str, Any], ...]) -> Result:
             "whirl": _frequencies(system, static),
             "rigid": rotor.polar_inertia <= 2 * rotor.diametral_inertia * (1 + 1e-12),
         },
+        floquet=FloquetAnswer(
+            table=table,
+            frequency_range=frequency_range,
+            fundamental_frequency=frequency,
+            reference_load=reference,
+            unstable_share=float(unstable.mean()),
+            bolotin_share=float(mask.mean()),
+            both_share=float((mask & unstable).mean()),
+        ),
     )
 
 
-def solve(state: State) -> Result:
+def solve(state: State, settled: bool = True) -> Result:
     """Return the charts and key numbers of the state's present inputs.
+
+    Parameters
+    ----------
+    state : State
+    settled : bool
+        False while sliders move: the growth map is coarser.
 
     Raises
     ------
@@ -163,11 +285,24 @@ def solve(state: State) -> Result:
         With words for the page, where these inputs have no answer.
     """
     inputs = state.inputs()
-    for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia"):
-        inputs.pop(name)
-    inputs |= {"rotor": state.rotor(), "tangency": state.effective_tangency()}
-    del inputs["load_type"]
-    return _solve(tuple(inputs.items()))
+    drawn = {
+        name: inputs[name]
+        for name in (
+            "static_load_factor",
+            "spin_speed",
+            "reference",
+            "largest_factor",
+            "lowest_frequency",
+            "highest_frequency",
+            "stiffness",
+            "growth_unit",
+        )
+    }
+    drawn["tangency"] = state.effective_tangency()
+    drawn["model"] = Model(
+        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
+    )
+    return _solve(tuple(drawn.items()), settled)
 
 
 @lru_cache(maxsize=128)

@@ -23,9 +23,23 @@ GROUPS = (
     ("Load", True, ("load_type", "tangency", "static_load_factor", "reference")),
     ("Rotor", True, ("spin_speed", "shear", "disk_mass", "diametral_inertia", "polar_inertia")),
     (
+        "Beyond the paper",
+        False,
+        ("external_damping", "internal_damping", "law", "model"),
+    ),
+    (
         "Charts",
         False,
-        ("largest_factor", "lowest_frequency", "highest_frequency", "stiffness"),
+        (
+            "show_growth",
+            "show_bolotin",
+            "show_disagreement",
+            "growth_unit",
+            "largest_factor",
+            "lowest_frequency",
+            "highest_frequency",
+            "stiffness",
+        ),
     ),
 )
 WORDS = {
@@ -37,6 +51,10 @@ WORDS = {
     "linear": "Linear",
     "exact": "Exact",
     "both": "Both",
+    "lumped": "Lumped",
+    "finite elements": "Finite elements",
+    "per time": "Per time",
+    "per period": "Per period",
 }
 
 
@@ -49,6 +67,8 @@ def _field(name: str) -> dict[str, Any]:
         "symbol": SYMBOLS.get(name, ""),
         "doc": parameter.doc,
     }
+    if isinstance(parameter, param.Boolean):
+        return field | {"switch": True}
     if isinstance(parameter, param.Selector):
         return field | {"options": [[word, WORDS[word]] for word in parameter.objects]}
     low, high = parameter.bounds

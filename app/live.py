@@ -6,6 +6,7 @@ of the Bokeh data sources behind them does not.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import holoviews as hv
@@ -46,6 +47,15 @@ class LiveChart:
             layer.label: subplot.handles["source"]
             for layer, subplot in zip(chart.layers, subplots, strict=True)
         }
+        self.renderers = {
+            layer.label: subplot.handles["glyph_renderer"]
+            for layer, subplot in zip(chart.layers, subplots, strict=True)
+        }
+        self._colours = {
+            layer.label: subplot.handles["color_mapper"]
+            for layer, subplot in zip(chart.layers, subplots, strict=True)
+            if layer.kind == "map" and "color_mapper" in subplot.handles
+        }
         self._drawn: dict[str, dict[str, Any]] = {}
         self._ranges = {
             "x": (self.figure.x_range, chart.x_range),
@@ -60,10 +70,24 @@ class LiveChart:
             if not _same(list(columns.values()), list(self._drawn.get(layer.label, {}).values())):
                 self.sources[layer.label].data = columns
                 self._drawn[layer.label] = columns
+                if layer.label in self._colours and layer.label == "growth":
+                    self._rescale(columns["image"][0])
         for axis, wanted in (("x", chart.x_range), ("y", chart.y_range)):
             bokeh_range, last = self._ranges[axis]
             self._move(bokeh_range, last, wanted)
             self._ranges[axis] = (bokeh_range, wanted)
+
+    def _rescale(self, image: np.ndarray) -> None:
+        """Fit the colours to the largest growth, in steps, so that they rarely move."""
+        largest = float(np.nanmax(image)) if np.isfinite(image).any() else 0.0
+        step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
+        self._colours["growth"].high = float(np.ceil(largest / step) * step) or 1.0
+
+    def set_visible(self, shown: Mapping[str, bool]) -> None:
+        """Show or hide layers by label."""
+        for label, visible in shown.items():
+            if label in self.renderers:
+                self.renderers[label].visible = visible
 
     def reset_view(self) -> None:
         """Return to the chart's own ranges."""

@@ -81,7 +81,8 @@ class Session:
             reply = self.pages[self.active].handle(message, self.state)
         if reply.later is not None:
             self._deliver(reply)
-        return self.redraw() | {
+        # a change is one step of many: the full picture comes when the browser says so
+        return self.redraw(settled=kind != "change") | {
             **reply.now,
             "values": self.state.inputs(),
             "errors": errors,
@@ -131,14 +132,14 @@ class Session:
         for page in self.pages.values():
             page.reset_view()
 
-    def redraw(self) -> dict[str, Any]:
+    def redraw(self, settled: bool = True) -> dict[str, Any]:
         """Solve and patch; a failure is told and leaves the last good picture."""
         page = self.pages[self.active]
         try:
             with pn.io.hold():
-                page.show(self.state)
+                page.show(self.state, settled)
             self.notice = ""
-            return page.answer(self.state)
+            return page.answer(self.state, settled)
         except ValueError as error:
             self.notice = str(error)
         except Exception:

@@ -24,6 +24,8 @@ SYMBOLS = {
     "static_load_factor": "α_s",
     "spin_speed": "Ω̄",
     "shear": "Φ",
+    "external_damping": "ζ_e",
+    "internal_damping": "ζ_i",
     "disk_mass": "M̄_D",
     "diametral_inertia": "Ī_D",
     "polar_inertia": "Ī_P",
@@ -126,6 +128,54 @@ class State(param.Parameterized):
         doc="The paper's linear coefficients, the exact ones of its Appendix A, or both.",
     )
 
+    external_damping = param.Number(
+        default=0.0,
+        bounds=(0.0, 0.2),
+        step=0.001,
+        label="External damping",
+        doc="Damping ratio ζ_e of forces on the moving disk: C_e = 2ζ_e ωₙ M. The paper has none.",
+    )
+    internal_damping = param.Number(
+        default=0.0,
+        bounds=(0.0, 0.2),
+        step=0.001,
+        label="Rotating damping",
+        doc="Damping ratio ζ_i inside the turning shaft: C_i = (2ζ_i/ωₙ) Ka. It can destabilise.",
+    )
+    law = param.Selector(
+        default="linear",
+        objects=["linear", "exact"],
+        label="Stiffness law",
+        doc="How the lumped shaft's stiffness depends on the load: as in the paper, or exactly.",
+    )
+    model = param.Selector(
+        default="lumped",
+        objects=["lumped", "finite elements"],
+        label="Model",
+        doc="The paper's two degrees of freedom, or Timoshenko elements reduced to 4 (r² = Φ/3).",
+    )
+    show_growth = param.Boolean(
+        default=True,
+        label="Floquet growth",
+        doc="Colours where the rotor is truly unstable.",
+    )
+    show_bolotin = param.Boolean(
+        default=True,
+        label="Bolotin regions",
+        doc="Outlines and hatching of the paper's method.",
+    )
+    show_disagreement = param.Boolean(
+        default=True,
+        label="Disagreement",
+        doc="Shades where the two methods differ.",
+    )
+    growth_unit = param.Selector(
+        default="per time",
+        objects=["per time", "per period"],
+        label="Growth shown",
+        doc="Growth rate σ̄ per unit of model time, or σ̄T per period of the load.",
+    )
+
     def inputs(self) -> dict[str, Any]:
         """Return every input by name."""
         return {name: getattr(self, name) for name in _NAMES}
@@ -145,7 +195,8 @@ class State(param.Parameterized):
             disk_mass=self.disk_mass,
             diametral_inertia=self.diametral_inertia,
             polar_inertia=self.polar_inertia,
-            slenderness=BASE_CASE.slenderness,
+            # r of the base case in proportion to √Φ, as for a solid shaft of one material
+            slenderness=BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear),
         )
 
     def change(self, values: Mapping[str, Any]) -> dict[str, str]:
@@ -161,7 +212,8 @@ class State(param.Parameterized):
             if problem:
                 errors[_short(name)] = problem
             else:
-                good[name] = float(value) if isinstance(value, int | float) else value
+                number = isinstance(value, int | float) and not isinstance(value, bool)
+                good[name] = float(value) if number else value
         low = good.get("lowest_frequency", self.lowest_frequency)
         high = good.get("highest_frequency", self.highest_frequency)
         if high - low < 0.4:
@@ -194,6 +246,8 @@ def _problem(name: Any, value: Any) -> str:
     if not isinstance(name, str) or name not in _NAMES:
         return "unknown parameter"
     parameter = State.param[name]
+    if isinstance(parameter, param.Boolean):
+        return "" if isinstance(value, bool) else "must be on or off"
     if isinstance(parameter, param.Selector):
         if isinstance(value, str) and value in parameter.objects:
             return ""
@@ -218,21 +272,22 @@ def _values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
 
 _START = {
     name: State.param[name].default
-    for name in ("load_type", "static_load_factor", "spin_speed", "reference")
+    for name in (
+        "load_type",
+        "static_load_factor",
+        "spin_speed",
+        "reference",
+        "external_damping",
+        "internal_damping",
+        "law",
+        "model",
+    )
 }
 
 PRESETS: dict[str, dict[str, Any]] = {
     "Base case": _values(BASE_CASE, **_START),
     "Euler–Bernoulli twin": _values(EULER_BERNOULLI_TWIN, **_START),
-    "Table 1, at rest": _values(
-        _TABLE_1, load_type="axial", static_load_factor=0.5, spin_speed=0.0, reference="buckling"
-    ),
-    "Table 1, 1000 rpm": _values(
-        _TABLE_1,
-        load_type="axial",
-        static_load_factor=0.5,
-        spin_speed=_THOUSAND_RPM,
-        reference="buckling",
-    ),
+    "Table 1, at rest": _values(_TABLE_1, **(_START | {"spin_speed": 0.0})),
+    "Table 1, 1000 rpm": _values(_TABLE_1, **(_START | {"spin_speed": _THOUSAND_RPM})),
 }
 """Named settings. Chart ranges are left as they are."""

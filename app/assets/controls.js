@@ -2,6 +2,7 @@
 // only after the frame that answers the last ones was painted, so nothing is ever queued.
 
 const TIMEOUT = 2000;
+const REST = 160; // after this long without a change the full picture is asked for
 
 export function render({ model, el }) {
   const spec = model.spec;
@@ -25,9 +26,19 @@ export function render({ model, el }) {
     requestAnimationFrame(() => { state.inflight = 0; flush(); });
   }
 
+  let resting = 0;
+  function rest() {
+    clearTimeout(resting);
+    resting = setTimeout(() => {
+      if (state.inflight || Object.keys(state.pending).length) rest();
+      else model.send_msg({ type: "settle", seq: ++state.sequence });
+    }, REST);
+  }
+
   function change(name, value) {
     state.pending[name] = value;
     flush();
+    rest();
   }
 
   // -- what the server answers ---------------------------------------------
@@ -142,6 +153,16 @@ export function render({ model, el }) {
     return node("div", { class: "row" }, heading(field, id), group, error);
   }
 
+  function toggle(field) {
+    const id = `rs-${field.name}`;
+    const input = node("input", { type: "checkbox", id, "aria-describedby": `${id}-help` });
+    input.addEventListener("change", () => change(field.name, input.checked));
+    rows[field.name] = { show: (value) => { input.checked = value; }, say: () => {} };
+    const head = heading(field, id);
+    head.prepend(input);
+    return node("div", { class: "row switch" }, head);
+  }
+
   // -- assembly ------------------------------------------------------------
   const form = node("form", { class: "controls", "aria-label": "Parameters" });
   form.addEventListener("submit", (event) => event.preventDefault());
@@ -157,7 +178,7 @@ export function render({ model, el }) {
     node("div", { class: "pair" }, presets, reset)));
   for (const group of spec) {
     const set = node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title));
-    for (const field of group.fields) set.append(field.options ? choice(field) : number(field));
+    for (const field of group.fields) set.append(field.switch ? toggle(field) : field.options ? choice(field) : number(field));
     form.append(set);
   }
 

@@ -22,6 +22,8 @@ window.rotorstab = (() => {
             case "LinearAxis":
               model.setv({ axis_line_color: soft, major_tick_line_color: soft, major_label_text_color: soft,
                 axis_label_text_color: ink }, quiet); break;
+            case "ColorBar":
+              model.setv({ major_label_text_color: soft, title_text_color: ink, bar_line_color: null, background_fill_color: null }, quiet); break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
             case "Text":
@@ -39,6 +41,21 @@ window.rotorstab = (() => {
     if (keep) try { localStorage.setItem("rotorstab-theme", name); } catch { /* private window */ }
     paintCharts();
   }
+
+  // "β_d" and its like with a real subscript
+  function rich(text) {
+    return text.split(/(\p{L}\p{M}?_[\p{L}\d]+)/u).map((part) => {
+      const found = part.match(/^(\p{L}\p{M}?)_([\p{L}\d]+)$/u);
+      if (!found) return part;
+      const symbol = document.createElement("span");
+      symbol.className = "symbol";
+      const sub = document.createElement("sub");
+      sub.textContent = found[2];
+      symbol.append(found[1], sub);
+      return symbol;
+    });
+  }
+  page.rich = rich;
 
   // -- numbers ---------------------------------------------------------------
   function number(value) {
@@ -92,6 +109,13 @@ window.rotorstab = (() => {
 
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
+    if (data.verdict) {
+      const words = document.querySelector("[data-verdict]");
+      // spoken only at rest: a moving slider would talk without end
+      words.setAttribute("aria-live", data.settled ? "polite" : "off");
+      if (page.verdict !== data.verdict) words.replaceChildren(...rich(data.verdict));
+      page.verdict = data.verdict;
+    }
     if (data.errors_table) showErrors(data.errors_table);
     page.paper.answer(data);
     if (data.told !== undefined) tell(data.told);
@@ -99,7 +123,9 @@ window.rotorstab = (() => {
     const notes = [data.notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
-    notice.textContent = notes.join(" ");
+    notice.replaceChildren(...rich(notes.join(" ")));
+    const unit = document.querySelector("[data-growth-unit]");
+    if (data.values) unit.textContent = data.values.growth_unit === "per period" ? "σ̄T" : "σ̄";
     page.last = data;
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one

@@ -9,7 +9,7 @@ window.rotorstab.paper = (() => {
     cells.forEach((cell, index) => {
       const td = document.createElement(index < heads ? "th" : "td");
       if (index < heads) td.scope = "row";
-      td.append(cell);
+      if (typeof cell === "string") td.append(...page.rich(cell)); else td.append(cell);
       tr.append(td);
     });
     return tr;
@@ -23,16 +23,16 @@ window.rotorstab.paper = (() => {
 
   function show(figure) {
     current = figure.number;
-    place("title").textContent = `Figure ${figure.number}. ${figure.title}`;
-    place("caption").textContent = figure.caption;
+    place("title").replaceChildren(...page.rich(`Figure ${figure.number}. ${figure.title}`));
+    place("caption").replaceChildren(...page.rich(figure.caption));
     place("parameters").replaceChildren(...figure.parameters.map((pair) => row(pair, 1)));
     place("reading").replaceChildren(...figure.reading.map((one) => {
       const ours = document.createElement("div");
-      ours.textContent = one.ours;
+      ours.append(...page.rich(one.ours));
       if (one.note) {
         const note = document.createElement("p");
         note.className = "sub";
-        note.textContent = one.note;
+        note.append(...page.rich(one.note));
         ours.append(note);
       }
       const verdict = document.createElement("span");

@@ -55,11 +55,11 @@ class Page:
         """Return the page's Panel roots by the name its layout uses."""
         return {f"{self.key}_{key}".replace("-", "_"): one for key, one in self._places.items()}
 
-    def compute(self, state: State) -> dict[str, Chart]:
-        """Return the page's charts for the present inputs."""
+    def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
+        """Return the page's charts for the present inputs, coarser while they move."""
         raise NotImplementedError
 
-    def answer(self, state: State) -> dict[str, Any]:
+    def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
 
@@ -67,14 +67,19 @@ class Page:
         """Answer a message that only this page knows."""
         return Reply()
 
-    def show(self, state: State) -> None:
+    def visible(self, state: State) -> dict[str, bool]:
+        """Return which layers are shown or hidden by choice."""
+        return {}
+
+    def show(self, state: State, settled: bool = True) -> None:
         """Build the charts on the first call, patch them on every later one."""
-        for key, chart in self.compute(state).items():
+        for key, chart in self.compute(state, settled).items():
             if key in self.charts:
                 self.charts[key].show(chart)
             else:
                 live = self.charts[key] = LiveChart(chart)
                 self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
+            self.charts[key].set_visible(self.visible(state))
 
     def reset_view(self) -> None:
         """Undo every zoom."""

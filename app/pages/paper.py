@@ -88,7 +88,7 @@ class Paper(Page):
     key = "paper"
     title = "Paper"
 
-    def compute(self, state: State) -> dict[str, Any]:
+    def compute(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return no live charts: the figures are pictures."""
         return {}
 

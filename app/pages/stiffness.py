@@ -22,11 +22,11 @@ class Stiffness(Page):
     title = "Stiffness"
     chart_keys = ("k11", "k12", "k21", "k22", "errors")
 
-    def compute(self, state: State) -> dict[str, Chart]:
+    def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
         """Return the five charts."""
         return stiffness_comparison(state.shear, state.effective_tangency())
 
-    def answer(self, state: State) -> dict[str, Any]:
+    def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return the table of loads at which an error level is reached; null where none is."""
         rows = [
             [value if np.isfinite(value) else None for value in row]

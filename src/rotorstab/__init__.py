@@ -1,9 +1,18 @@
 """Parametric instability of a cantilever shaft–disk rotor under a pulsating load."""
 
-from .bolotin import BolotinChart, bolotin_chart, boundary_frequencies, in_bolotin_region
+from .bolotin import (
+    BolotinChart,
+    bolotin_chart,
+    bolotin_mask,
+    boundary_frequencies,
+    in_bolotin_region,
+)
 from .critical import beck_load, critical_load, flutter_load
 from .finite_element import finite_element
+from .floquet import floquet_multipliers, growth_rate
+from .resonance import Resonance, ResonanceTable, resonances
 from .rotor import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
+from .stability import GrowthMap, growth_map
 from .stiffness import exact_stiffness, linear_stiffness
 from .system import System, fundamental_frequency, lumped
 from .whirl import (
@@ -21,23 +30,31 @@ __all__ = [
     "TABLE_1_SI",
     "BolotinChart",
     "CriticalSpeeds",
+    "GrowthMap",
+    "Resonance",
+    "ResonanceTable",
     "Scales",
     "ShaftDisk",
     "System",
     "WhirlCurves",
     "beck_load",
     "bolotin_chart",
+    "bolotin_mask",
     "boundary_frequencies",
     "campbell_diagram",
     "critical_load",
     "critical_speeds",
     "exact_stiffness",
     "finite_element",
+    "floquet_multipliers",
     "flutter_load",
     "fundamental_frequency",
+    "growth_map",
+    "growth_rate",
     "in_bolotin_region",
     "linear_stiffness",
     "load_frequency_curves",
     "lumped",
+    "resonances",
     "whirl_frequencies",
 ]

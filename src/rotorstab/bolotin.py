@@ -22,7 +22,13 @@ from .quartic import quadratic_roots, quartic_roots
 from .system import System
 from .whirl import mode_names, track, whirl_frequencies
 
-__all__ = ["BolotinChart", "bolotin_chart", "boundary_frequencies", "in_bolotin_region"]
+__all__ = [
+    "BolotinChart",
+    "bolotin_chart",
+    "bolotin_mask",
+    "boundary_frequencies",
+    "in_bolotin_region",
+]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -228,6 +234,47 @@ def in_bolotin_region(
     minus, plus, coupling = np.broadcast_arrays(minus, plus, coupling)
     rows = [np.concatenate(pair, axis=-1) for pair in ((minus, coupling), (coupling, plus))]
     return np.asarray(np.linalg.det(np.concatenate(rows, axis=-2)) < 0)
+
+
+def bolotin_mask(
+    system: System,
+    static_load: float,
+    pulsating_loads: ArrayLike,
+    excitation_frequencies: ArrayLike,
+) -> NDArray[np.bool_]:
+    """Return which points of a grid lie in a Bolotin region, from the boundaries of each row.
+
+    Parameters
+    ----------
+    system : System
+        Undamped, at one spin speed.
+    static_load : float
+        p̄₀ [EI/L²].
+    pulsating_loads : (R,) float
+        p̄_t [EI/L²].
+    excitation_frequencies : (C,) float
+        θ̄ [√(EI/(ρAL⁴))], 0 or more.
+
+    Returns
+    -------
+    (R, C) bool
+        As `in_bolotin_region` on the grid, at the cost of R sets of boundaries.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or the system is damped.
+    """
+    if system.is_damped:
+        raise ValueError("`system` must be undamped for the sign of Eq. (24), got a damped one")
+    static = np.asarray(number("static_load", static_load))
+    loads = numbers("pulsating_loads", pulsating_loads)
+    level = (numbers("excitation_frequencies", excitation_frequencies, 0.0) / 2) ** 2
+    squares = _squares(system, static, loads)
+    real = np.abs(squares.imag) <= _REAL * np.abs(squares)
+    # P changes sign at every real root, and is positive below the first
+    passed = (np.where(real, squares.real, np.inf)[:, None, :] < level[:, None]).sum(axis=-1)
+    return np.asarray(passed % 2 == 1)
 
 
 def _status(squares: Complex) -> NDArray[np.int64]:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import numbers
 from .system import System
 
-__all__ = ["ModalBasis", "mode_names", "modal_basis", "splitting_basis", "state_matrix"]
+__all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
 
 _FRACTIONS = (1.0, 0.9, 0.7, 0.4, 0.0)  # of the static load, tried in turn
 _GOOD_CONDITION = 1e3

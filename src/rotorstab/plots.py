@@ -11,7 +11,8 @@ from typing import Any
 
 import holoviews as hv
 import numpy as np
-from bokeh.models import HoverTool
+from bokeh.models import CustomJSHover, HoverTool
+from bokeh.palettes import Plasma256
 
 from .charts import ROLES, Chart, Layer
 
@@ -25,12 +26,16 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
     "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
 }
+_GROWTH_COLOURS = list(Plasma256[30:236])
+_DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
 
 def columns(layer: Layer) -> dict[str, Any]:
     """Return the Bokeh data-source columns of one layer, by the names HoloViews gives them."""
     data = layer.columns
+    if layer.kind == "map":
+        return {key: list(value) for key, value in data.items()}
     if layer.kind == "regions":
         # MultiPolygons nest: polygon, then its outer ring
         return {
@@ -119,10 +124,62 @@ def _finish(plot: Any, _: Any) -> None:
         )
 
 
+def _bare_colours(plot: Any, _: Any) -> None:
+    """Let what is not a number stay clear, and forget HoloViews' own range."""
+    plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
+
+
+def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
+    """Return a map as an image; growth carries the colour bar and the hover."""
+    (left, right), (low, high) = chart.x_range, chart.y_range
+    values = np.asarray(layer.columns["image"][0])
+    # HoloViews wants the first row on top
+    image = hv.Image(
+        values[::-1], bounds=(left, low, right, high), vdims=["image"], label=layer.label
+    )
+    growth = layer.label == "growth"
+    return image.opts(
+        hv.opts.Image(
+            cmap=_GROWTH_COLOURS if growth else _DISAGREEMENT_COLOURS,
+            clim=(0.0, 1.0),
+            colorbar=growth,
+            colorbar_position="right",
+            clabel="",
+            colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
+            alpha=1.0 if growth else 0.4,
+            tools=[_map_hover()] if growth else [],
+            hooks=[_bare_colours],
+            backend="bokeh",
+        )
+    )
+
+
+def _map_hover() -> HoverTool:
+    """Return a hover tool that gives the place, the growth and both verdicts."""
+    words = CustomJSHover(
+        code="""
+        return ["both stable", "Floquet: unstable, Bolotin: no region",
+                "Floquet: stable, Bolotin region", "both: unstable"][value]
+        """
+    )
+    return HoverTool(
+        tooltips=[
+            ("θ/ωₙ", "$x{0.000}"),
+            ("β_d", "$y{0.000}"),
+            ("growth σ̄", "@rate{0.0000}"),
+            ("verdict", "@verdict{custom}"),
+        ],
+        formatters={"@verdict": words},
+        visible=False,
+    )
+
+
 def _draw(chart: Chart, layer: Layer) -> hv.Element:
     """Return one layer's HoloViews element, styled for Bokeh."""
     data = columns(layer)
     label = layer.label
+    if layer.kind == "map":
+        return _draw_map(chart, layer)
     if layer.kind == "regions":
         paths = [
             {"x": xs[0][0], "y": ys[0][0], "name": name}
@@ -132,7 +189,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
         return shape.opts(
             hv.opts.Polygons(
                 color="#8a93a0",
-                fill_alpha=0.28,
+                fill_alpha=0.06,
                 line_alpha=0.0,
                 hooks=[_apply_hatch],
                 backend="bokeh",

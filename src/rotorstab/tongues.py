@@ -142,9 +142,7 @@ def _edge_function(system: System, static: float, load: Array, theta: Array) -> 
     return np.array(growth if system.is_damped else approach)
 
 
-def _refine(
-    system: System, static: float, load: Array, inside: Array, outside: Array
-) -> Array:
+def _refine(system: System, static: float, load: Array, inside: Array, outside: Array) -> Array:
     """Return roots of the edge function between points inside and outside, Illinois method."""
     a, b = inside.copy(), outside.copy()
     fa = _edge_function(system, static, load, a)
@@ -257,9 +255,7 @@ def tongue_edges(
             left[k, zero] = right[k, zero] = row.centre
     for array in (loads, centre, left, right, growth, status):
         array.flags.writeable = False
-    return TongueEdges(
-        tuple(row.name for row in rows), loads, centre, left, right, growth, status
-    )
+    return TongueEdges(tuple(row.name for row in rows), loads, centre, left, right, growth, status)
 
 
 def _fill(
@@ -302,9 +298,7 @@ def _fill(
     status[k_index, r_index] = np.where(ok, "merged", "stable" if system.is_damped else "lost")
     centre[k_index, r_index], growth[k_index, r_index] = theta, rate
     centre[k_index[~ok], r_index[~ok]] = np.nan
-    k_index, r_index, theta, load, width = (
-        x[ok] for x in (k_index, r_index, theta, load, width)
-    )
+    k_index, r_index, theta, load, width = (x[ok] for x in (k_index, r_index, theta, load, width))
     edges = []
     for side in (-1, 1):
         inner, outer = _bracket(system, static, load, theta, width, side)

@@ -4,7 +4,7 @@ A `Chart` is a frozen description (axes, layers of named columns). `plots` draws
 dashboard patches its columns, a table export writes them: all three see the same arrays.
 """
 
-from .explore import campbell_chart, instability_chart, load_frequency_chart
+from .explore import GrowthGrid, campbell_chart, instability_chart, load_frequency_chart
 from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role
@@ -12,6 +12,7 @@ from .structure import ROLES, Chart, Layer, Role
 __all__ = [
     "ROLES",
     "Chart",
+    "GrowthGrid",
     "Layer",
     "Role",
     "campbell_chart",

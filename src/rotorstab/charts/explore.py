@@ -3,15 +3,100 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..bolotin import BolotinChart
 from ..whirl import CriticalSpeeds, WhirlCurves
 from .structure import Chart, Layer, Lines, label_columns, mark_columns, symmetric
 
-__all__ = ["campbell_chart", "instability_chart", "load_frequency_chart"]
+__all__ = ["GrowthGrid", "campbell_chart", "instability_chart", "load_frequency_chart"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class GrowthGrid:
+    """Floquet's answer on the pixels of the instability chart.
+
+    Parameters
+    ----------
+    growth : (R, C) float
+        σ̄ [√(EI/(ρAL⁴))] at the pixel centres, rows upwards.
+    unstable : (R, C) bool
+        Whether σ̄ exceeds its own error bound.
+    bolotin : (R, C) bool or None
+        Whether the pixel lies in a Bolotin region; None where there is none to compare with.
+    per_period : bool
+        Whether to colour by σ̄T instead of σ̄.
+    """
+
+    growth: Array
+    unstable: NDArray[np.bool_]
+    bolotin: NDArray[np.bool_] | None
+    per_period: bool = False
+
+
+def _label_tongues(
+    tongues: Sequence[tuple[float, str]], frequency_range: tuple[float, float], top: float
+) -> list[tuple[float, float, str, str]]:
+    """Return a label at the foot of each tongue, raised where the next one would touch it."""
+    left, right = frequency_range
+    rows: list[tuple[float, float, str, str]] = []
+    for x, name in sorted(tongues):
+        share = (x - left) / (right - left)
+        if not 0 <= share <= 1:
+            continue
+        level = 0
+        while any(
+            abs(x - other) < 0.09 * (right - left) and abs(y - top * _level(level)) < 0.03 * top
+            for other, y, _, _ in rows
+        ):
+            level += 1
+        rows.append((x, top * _level(level), name, "right" if share < 0.9 else "left"))
+    return rows
+
+
+def _level(step: int) -> float:
+    return 0.045 + 0.075 * step
+
+
+def _growth_layers(
+    grid: GrowthGrid,
+    fundamental_frequency: float,
+    frequency_range: tuple[float, float],
+    top: float,
+) -> list[Layer]:
+    """Return the map of growth and the map of disagreement."""
+    left, right = frequency_range
+    columns = grid.growth.shape[1]
+    theta = (left + (np.arange(columns) + 0.5) / columns * (right - left)) * fundamental_frequency
+    periods = 2 * np.pi / theta
+    shown = grid.growth * periods if grid.per_period else grid.growth
+    bolotin = np.zeros_like(grid.unstable) if grid.bolotin is None else grid.bolotin
+    place = {"x": [left], "y": [0.0], "dw": [right - left], "dh": [top]}
+    verdict = grid.unstable.astype(np.uint8) + 2 * bolotin.astype(np.uint8)
+    clear = np.float32(np.nan)
+    disagree = np.full(verdict.shape, clear, np.float32)
+    if grid.bolotin is not None:
+        disagree[verdict == 2] = 0.0
+        disagree[verdict == 1] = 1.0
+    return [
+        Layer(
+            "map",
+            "growth",
+            {
+                "image": [np.where(grid.unstable, shown, clear).astype(np.float32)],
+                "rate": [np.where(grid.unstable, grid.growth, 0.0).astype(np.float32)],
+                "verdict": [verdict],
+                **place,
+            },
+        ),
+        Layer("map", "disagreement", {"image": [disagree], **place}),
+    ]
 
 
 def _direction(name: str) -> str:
@@ -24,8 +109,10 @@ def instability_chart(
     reference_load: float,
     frequency_range: tuple[float, float],
     largest_factor: float,
+    grid: GrowthGrid | None = None,
+    tongues: Sequence[tuple[float, str]] = (),
 ) -> Chart:
-    """Return Bolotin's regions in the paper's axes, θ/ω_n and β_d.
+    """Return Bolotin's regions, and Floquet's growth, in the paper's axes θ/ω_n and β_d.
 
     Parameters
     ----------
@@ -38,6 +125,10 @@ def instability_chart(
         Of θ/ω_n.
     largest_factor : float
         Top of the β_d axis.
+    grid : GrowthGrid, optional
+        Floquet's answer; without it the chart is the paper's.
+    tongues : sequence of (float, str)
+        Centres θ/ω_n and names of the true tongues.
     """
     factor = bolotin.pulsating_load / reference_load
     ratio = bolotin.frequency / fundamental_frequency
@@ -65,17 +156,39 @@ def instability_chart(
     }
     return Chart(
         key="instability",
-        title="Bolotin regions",
+        title="Instability chart",
         x_label="excitation frequency θ/ωₙ",
         y_label="dynamic load factor β_d",
         x_range=frequency_range,
         y_range=(0.0, largest_factor),
         layers=(
+            *(
+                ()
+                if grid is None
+                else _growth_layers(grid, fundamental_frequency, frequency_range, largest_factor)
+            ),
             Layer("regions", "Bolotin region", regions),
             Layer("lines", "boundary", lines.columns),
             Layer("labels", "mode", label_columns(rows)),
+            *(
+                ()
+                if grid is None
+                else (
+                    Layer(
+                        "labels",
+                        "tongue",
+                        label_columns(_label_tongues(tongues, frequency_range, largest_factor)),
+                    ),
+                )
+            ),
         ),
     )
+
+
+def _largest(curves: WhirlCurves) -> float:
+    """Return the largest |Re ω̄| of modes 1 and 2: finite elements have many more."""
+    shown = [name[0] in "12" and len(name) == 2 for name in curves.names]
+    return float(np.abs(curves.frequencies.real[:, shown]).max())
 
 
 def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float, float, str, str]]:
@@ -83,6 +196,7 @@ def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float
     return [
         (float(curves.parameter[index]), float(value.real), name, side)
         for value, name in zip(row, curves.names, strict=True)
+        if abs(value.real) <= _largest(curves)
     ]
 
 
@@ -104,7 +218,7 @@ def load_frequency_chart(
     """
     first = next(iter(curves.values()))
     x_range = (float(first.parameter[0]), float(first.parameter[-1]))
-    y_range = symmetric(max(float(np.abs(c.frequencies.real).max()) for c in curves.values()))
+    y_range = symmetric(max(map(_largest, curves.values())))
     lines, marks = Lines(), Lines()
     for role, one in curves.items():
         lines.whirl(one, (role, role), f"{{}}, {role}")
@@ -141,7 +255,7 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
     critical : CriticalSpeeds
     """
     x_range = (float(curves.parameter[0]), float(curves.parameter[-1]))
-    y_range = symmetric(float(np.abs(curves.frequencies.real).max()))
+    y_range = symmetric(_largest(curves))
     lines, marks = Lines(), Lines()
     lines.whirl(curves, ("backward", "forward"), "{}")
     ends = np.array(x_range)

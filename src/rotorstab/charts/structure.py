@@ -55,10 +55,11 @@ class Layer:
 
     Parameters
     ----------
-    kind : {"regions", "lines", "points", "labels"}
-        regions and lines hold a list of arrays in `xs`, `ys`; the others one value a row
-        in `x`, `y`. All have a `name`; lines also a `role`, a key of `ROLES`; labels also a
-        `side` of their point.
+    kind : {"map", "regions", "lines", "points", "labels"}
+        A map has one row: a 2-d `image` (rows upwards, NaN is clear) and further 2-d columns
+        for hovering, over the rectangle `x`, `y`, `dw`, `dh`. Regions and lines hold a list
+        of arrays in `xs`, `ys`; the others one value a row in `x`, `y`. All but maps have a
+        `name`; lines also a `role`, a key of `ROLES`; labels also a `side` of their point.
     label : str
         Unique within its chart.
     columns : mapping of str to sequence

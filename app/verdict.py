@@ -1,0 +1,70 @@
+"""The verdict in words: what Floquet finds in the chart, and how far Bolotin is off."""
+
+from __future__ import annotations
+
+import math
+
+from rotorstab import Resonance
+
+from .analysis import FloquetAnswer
+
+__all__ = ["verdict"]
+
+_MOST = 6  # tongues named in one sentence
+
+
+def _percent(share: float) -> str:
+    if share == 0:
+        return "nothing"
+    return "under 0.1 %" if share < 0.001 else f"{100 * share:.2g} %"
+
+
+def _tongue(one: Resonance, frequency: float) -> str:
+    centre = f"{one.name} at θ/ωₙ = {one.centre / frequency:.3f}"
+    return f"{centre} ({2 * one.half_width / frequency:.3f} wide)"
+
+
+def _tongues(answer: FloquetAnswer) -> str:
+    low, high = answer.frequency_range
+    frequency = answer.fundamental_frequency
+    inside = [one for one in answer.table.tongues if low <= one.centre / frequency <= high]
+    if not inside:
+        return "No pair of modes resonates in this window at β_d = 0.1."
+    named = "; ".join(_tongue(one, frequency) for one in inside[:_MOST])
+    more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
+    word = "tongue" if len(inside) == 1 else "tongues"
+    return f"At β_d = 0.1 Floquet finds {len(inside)} {word} in this window: {named}{more}."
+
+
+def _margin(answer: FloquetAnswer) -> str:
+    table = answer.table
+    if table.mean_growth > 1e-9:
+        return (
+            "The rotor is unstable without any pulsation: its steady motion grows at "
+            f"σ̄ = {table.mean_growth:.3g}."
+        )
+    first = min(table, key=lambda row: row.threshold)
+    if not math.isfinite(first.threshold):
+        return "No pulsation, however large, makes two modes resonate."
+    if first.threshold == 0:
+        return "Without damping any pulsation, however small, suffices at a tongue’s centre."
+    return (
+        f"Damping holds up to β_d = {first.threshold / answer.reference_load:.3f}; "
+        f"{first.name} goes first."
+    )
+
+
+def _comparison(answer: FloquetAnswer) -> str:
+    true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
+    text = f"Of this window {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
+    if true > 0 and bolotin > true:
+        text += f", which overstates it by {100 * (bolotin / true - 1):,.0f} %"
+    missed = true - both
+    if true > 0 and missed > 0.001 * true:
+        text += f", and misses {_percent(missed / true)} of it"
+    return text + "."
+
+
+def verdict(answer: FloquetAnswer) -> str:
+    """Return the verdict on one chart, in three or four sentences."""
+    return " ".join((_tongues(answer), _margin(answer), _comparison(answer)))
