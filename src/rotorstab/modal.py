@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import numbers
 from .system import System
 
-__all__ = ["ModalBasis", "mode_names", "modal_basis", "splitting_basis", "state_matrix"]
+__all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
 
 _FRACTIONS = (1.0, 0.9, 0.7, 0.4, 0.0)  # of the static load, tried in turn
 _GOOD_CONDITION = 1e3
@@ -56,7 +56,7 @@ def state_matrix(system: System, stiffness: ArrayLike) -> NDArray[Any]:
     (..., 2n, 2n) float, or complex with damping
     """
     n = system.size
-    rate = system.spin_matrix()
+    rate: NDArray[Any] = system.spin_matrix()
     if system.is_damped:
         rate = 1j * system.damping()
     lower_left, lower_right = np.broadcast_arrays(
@@ -155,7 +155,7 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
 
 
 def mode_names(frequencies: ArrayLike) -> tuple[str, ...]:
-    """Name whirl modes by rank of |ω| within each precession: 1B, 1F, 2B, 2F …
+    """Name whirl modes 1B, 1F, 2B, 2F and so on, by rank of |ω| within each precession.
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import number
-from .modal import mode_names, modal_basis
+from .modal import modal_basis, mode_names
 from .system import System
 
 __all__ = ["Resonance", "ResonanceTable", "resonances"]
