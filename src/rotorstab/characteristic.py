@@ -93,7 +93,9 @@ def _pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
     return y, np.sqrt(sum2), np.sqrt(difference2)
 
 
-def self_inversive_growth(coefficients: Array, error: Array | float = 0.0) -> tuple[Array, Array]:
+def self_inversive_growth(
+    coefficients: Array, error: Array | float = 0.0
+) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of self-inversive quartics and how far it may be wrong.
 
     Parameters
@@ -109,6 +111,9 @@ def self_inversive_growth(coefficients: Array, error: Array | float = 0.0) -> tu
         σT, exactly 0 where all four lie on the unit circle.
     uncertainty : (...) float
         Bound on its error, √ of the coefficients' at a double multiplier.
+    approach : (...) float
+        Largest |P| − 2: below 0 how far the closest pair is from a collision, above 0 how far
+        past it. Smooth through the collision.
     """
     y, total, difference = _pair_halves(*coefficients)
     largest = (total + difference) / 2
@@ -126,7 +131,7 @@ def self_inversive_growth(coefficients: Array, error: Array | float = 0.0) -> tu
     uncertainty = np.zeros_like(growth)
     upper = np.arccosh(np.maximum(largest[near] + slack[near], 2.0) / 2)
     uncertainty[near] = upper - growth[near]
-    return growth, uncertainty
+    return growth, uncertainty, largest - 2
 
 
 def self_inversive_multipliers(coefficients: Array) -> Complex:

@@ -85,7 +85,7 @@ def _propagators(
 
 def _multipliers(system: System, propagator: Complex) -> Complex:
     """Return the eigenvalues of the monodromy, largest modulus first; NaN where not finite."""
-    finite = np.isfinite(propagator).all(axis=(-2, -1))
+    finite = np.asarray(np.isfinite(propagator).all(axis=(-2, -1)))
     safe = np.where(finite[:, None, None], propagator, np.eye(propagator.shape[-1]))
     if not system.is_damped:
         # half a period is enough: by time reversal Y(−t) = conj Y(t)
@@ -181,8 +181,9 @@ def floquet_solution(
     Notes
     -----
     Splitting in the modal basis of the mean system, of order 6, extrapolated to order 10;
-    the steps are halved until the order-8 value agrees to 3e-9, the order-10 value then to 1e-11 or so. The cost grows with the
-    fastest mode kept times the period, so with low θ̄ and many finite-element modes.
+    the steps are halved until the order-8 value agrees to 3e-9, the order-10 value then to
+    1e-11 or so. The cost grows with the fastest mode kept times the period, so with low θ̄
+    and many finite-element modes.
 
     References
     ----------

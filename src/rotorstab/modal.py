@@ -56,7 +56,7 @@ def state_matrix(system: System, stiffness: ArrayLike) -> NDArray[Any]:
     (..., 2n, 2n) float, or complex with damping
     """
     n = system.size
-    rate = system.spin_matrix()
+    rate: NDArray[Any] = system.spin_matrix()
     if system.is_damped:
         rate = 1j * system.damping()
     lower_left, lower_right = np.broadcast_arrays(
@@ -155,7 +155,7 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
 
 
 def mode_names(frequencies: ArrayLike) -> tuple[str, ...]:
-    """Name whirl modes by rank of |ω| within each precession: 1B, 1F, 2B, 2F …
+    """Name whirl modes 1B, 1F, 2B, 2F and so on, by rank of |ω| within each precession.
 
     Parameters
     ----------

@@ -93,14 +93,22 @@ class ChartSampler:
         self.panels = plan_panels(
             periods,
             bandwidth=1.03 * float(bandwidth),
-            swing=1.15 * strength * largest_load,
+            swing=(1.15 if system.is_linear else 1.3) * strength * largest_load,
             rate=density * self.share * fastest * _STEPS_PER_RADIAN / _LEVELS[0],
             density=density,
             tolerance=_TOLERANCE,
             even=self.closed_form,
+            resolve=self._longest_tongue(coupling) if self.closed_form else 0.0,
         )
         self.periods = periods
         self.data = [self._sample(panel) for panel in self.panels]
+
+    def _longest_tongue(self, coupling: NDArray[Any]) -> float:
+        """Return the period up to which the resonance table has tongues, with room to drift."""
+        gap = np.abs(np.subtract.outer(self.basis.frequencies, self.basis.frequencies).real)
+        strength = -(coupling * coupling.T).real
+        centres = gap[(strength > 1e-12 * np.abs(strength).max()) & (gap > 0)]
+        return float(2 * np.pi / (0.75 * centres.min())) if centres.size else 0.0
 
     def _load_slope(self) -> Array:
         """Return M⁻¹ times the steepest secant of K(p̄) the load swings over."""
@@ -128,7 +136,7 @@ class ChartSampler:
         y = np.ascontiguousarray(np.moveaxis(y, (0, 1), (2, 3)))
         if not self.system.is_damped:
             # half a period is enough: by time reversal Y(−t) = conj Y(t)
-            y = np.linalg.solve(y.conj(), y)
+            y = np.asarray(np.linalg.solve(y.conj(), y), dtype=np.complex128)
         scale = np.exp(1j * self.drift * period)[:, None]
         c = characteristic_coefficients(y, np.broadcast_to(scale, y.shape[:2]))
         if self.system.is_damped:
@@ -140,9 +148,7 @@ class ChartSampler:
         return np.square(load) if self.closed_form else np.abs(load)
 
     def _sample(self, panel: Panel) -> tuple[NDArray[Any], float, Array]:
-        """Return Chebyshev coefficients (k, T, load) of a panel, its interpolation error and its
-        step error at the load nodes.
-        """
+        """Return Chebyshev coefficients (k, T, load) and errors: interpolation, steps by load."""
         period = self.periods[panel.columns]
         if panel.period_nodes:
             period = chebyshev_nodes(panel.period_nodes, panel.low, panel.high)
@@ -164,10 +170,10 @@ class ChartSampler:
             step_error = self._characteristic_gap(values[:, worst], rough[:, 0])
         error = 0.0
         coefficients = values @ chebyshev_transform(len(load)).T
-        error += float(np.abs(coefficients[..., -2:]).sum(axis=-1).max())
+        error += float(np.abs(coefficients[..., -1]).max())
         if panel.period_nodes:
             coefficients = chebyshev_transform(len(period)) @ coefficients
-            error += float(np.abs(coefficients[:, -3:]).sum(axis=(1, 2)).max())
+            error += float(np.abs(coefficients[:, -2:]).sum(axis=(1, 2)).max())
         # rounding in sums of terms of this size
         return coefficients, error + 1e-15 * float(np.abs(values).max()), step_error
 
@@ -178,8 +184,8 @@ class ChartSampler:
         for entries in (fine, rough):
             matrix = np.moveaxis(entries, 0, -1).reshape(-1, size, size)
             if not self.system.is_damped:
-                matrix = np.linalg.solve(matrix.conj(), matrix)
-            sides.append(np.poly(matrix) if matrix.ndim == 2 else np.array([*map(np.poly, matrix)]))
+                matrix = np.asarray(np.linalg.solve(matrix.conj(), matrix), dtype=np.complex128)
+            sides.append(np.array([np.poly(one) for one in matrix]))
         ratio = (_LEVELS[0] / _LEVELS[1]) ** 4 - 1
         return np.asarray(np.abs(sides[0] - sides[1]).max(axis=-1) / ratio)
 
@@ -196,25 +202,53 @@ class ChartSampler:
             along = chebyshev_values(periods, plan.low, plan.high, plan.period_nodes) @ along
         return np.asarray(across @ np.swapaxes(along, 1, 2))
 
-    def growth(
-        self, panel: int, functions: NDArray[Any], loads: Array, periods: Array
-    ) -> tuple[Array, Array]:
-        """Return growth rates and error bounds from evaluated functions (k, R, C)."""
+    def scattered(self, panel: int, loads: Array, periods: Array) -> NDArray[Any]:
+        """Return the functions (k, P) at P single points inside one panel that has nodes in T."""
+        plan, coefficients = self.panels[panel], self.data[panel][0]
+        top = float(self._load_variable(self.largest_load))
+        across = chebyshev_values(self._load_variable(loads), 0.0, top, plan.load_nodes)
+        along = chebyshev_values(periods, plan.low, plan.high, plan.period_nodes)
+        return np.asarray(((along @ coefficients) * across).sum(axis=-1))
+
+    def coefficient_error(self, panel: int, loads: Array, periods: Array) -> Array:
+        """Return the error of the functions at loads and periods that broadcast."""
         plan = self.panels[panel]
         _, error, step_error = self.data[panel]
         nodes = chebyshev_nodes(plan.load_nodes, 0.0, float(self._load_variable(self.largest_load)))
         # rising loads; a bound that never falls
         bound = np.maximum.accumulate(step_error[::-1])
         rows = np.interp(self._load_variable(loads), nodes[::-1], bound)
-        error = error + rows[:, None] * (periods / plan.high) ** 4
+        return np.asarray(error + rows * (periods / plan.high) ** 4)
+
+    def growth(
+        self, panel: int, functions: NDArray[Any], loads: Array, periods: Array
+    ) -> tuple[Array, Array, Array]:
+        """Return growth rates, error bounds and the approach to a collision.
+
+        Parameters
+        ----------
+        panel : int
+        functions : (k, ...)
+            From `evaluate` or `scattered`.
+        loads, periods : (...) float
+            Broadcast to the functions' shape.
+
+        Returns
+        -------
+        growth, error, approach : (...) float
+            `approach` as in `self_inversive_growth`, NaN where there is no closed form for it.
+        """
+        error = self.coefficient_error(panel, loads, periods)
         if not self.closed_form:
-            return self._matrix_growth(functions, periods, error)
+            growth, slack = self._matrix_growth(functions, periods, error)
+            return growth, slack, np.full_like(growth, np.nan)
         if self.system.is_damped:
             growth, slack = largest_modulus(functions, error)
             growth = growth - self.drift.imag * periods
+            approach = np.full_like(growth, np.nan)
         else:
-            growth, slack = self_inversive_growth(functions, error)
-        return growth / periods, slack / periods
+            growth, slack, approach = self_inversive_growth(functions, error)
+        return growth / periods, slack / periods, approach
 
     def _matrix_growth(
         self, functions: NDArray[Any], periods: Array, error: Array

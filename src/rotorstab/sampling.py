@@ -110,6 +110,7 @@ def plan_panels(
     density: float,
     tolerance: float,
     even: bool,
+    resolve: float = 0.0,
 ) -> tuple[Panel, ...]:
     """Return the cheapest cut of the sorted periods into panels, at octaves of T.
 
@@ -129,6 +130,8 @@ def plan_panels(
         Wanted interpolation error.
     even : bool
         Whether the functions are even in the load.
+    resolve : float
+        Period up to which panels must be interpolable between columns.
 
     Returns
     -------
@@ -144,10 +147,10 @@ def plan_panels(
         columns = stop - start
         loads = max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
         steps = max(1, int(np.ceil(rate * high)))
-        sampled = min(columns, nodes)
-        made = Panel(
-            slice(int(start), int(stop)), low, high, 0 if columns <= nodes else nodes, loads, steps
-        )
+        if columns <= nodes and (low >= resolve or columns < 3):
+            nodes = 0
+        sampled = nodes or columns
+        made = Panel(slice(int(start), int(stop)), low, high, nodes, loads, steps)
         return (sampled * loads + _CALL_OVERHEAD) * steps, made
 
     # dynamic programming over the cuts

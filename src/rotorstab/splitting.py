@@ -24,7 +24,7 @@ _ENTRIES_WANTED = 8192  # below, the overhead of a NumPy call outweighs its work
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Loads = tuple[Array, Array]
-Factors = Callable[[Loads, Array, Array], Complex]
+Factors = Callable[[Array], Complex]
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ MAP_SCHEME = Scheme((0.5, 0.5), (1.0,), -1 / 12)
 
 
 def _linear_factors(
-    system: System, basis: ModalBasis, gradient: float
+    system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
 ) -> tuple[NDArray[Any], NDArray[Any], Factors]:
     """Return V_q, L and the maker of factors for K linear in the load, ΔK = (p̄ − p̄_ref) Kb.
 
@@ -84,7 +84,7 @@ def _linear_factors(
     right = np.concatenate(operators) @ basis.vectors[..., :n, :]
     left = np.concatenate([basis.inverse[..., :, n:]] * len(operators), axis=-1)
 
-    def factors(loads: Loads, step: Array, phase: Array) -> Complex:
+    def factors(phase: Array) -> Complex:
         impulse = step * (loads[0] - basis.load + loads[1] * np.cos(phase))
         table = np.empty((*impulse.shape[:1], len(operators), *impulse.shape[1:]), complex)
         table[:, 0] = 1j * impulse
@@ -96,24 +96,27 @@ def _linear_factors(
 
 
 def _exact_factors(
-    system: System, basis: ModalBasis, gradient: float
+    system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
 ) -> tuple[NDArray[Any], NDArray[Any], Factors]:
     """Return V_q, L and the maker of factors, whole matrices, for any K(p̄)."""
     n = system.size
 
-    def factors(loads: Loads, step: Array, phase: Array) -> Complex:
-        # K(p̄₀ + p̄_t cos φ) as a cosine series: K itself is dear
-        count = _harmonic_count(system, loads)
-        harmonics = np.stack(system.load_harmonics(*loads, count=count))
-        harmonics[0] -= system.load_stiffness(basis.load)
-        harmonics = np.moveaxis(np.linalg.solve(system.mass, harmonics), (-2, -1), (1, 2))
+    # K(p̄₀ + p̄_t cos φ) as a cosine series: K itself is dear
+    count = _harmonic_count(system, loads)
+    harmonics: Array = np.stack(system.load_harmonics(*loads, count=count))
+    harmonics[0] -= system.load_stiffness(basis.load)
+    harmonics = np.moveaxis(
+        np.asarray(np.linalg.solve(system.mass, harmonics), float), (-2, -1), (1, 2)
+    )
+
+    def factors(phase: Array) -> Complex:
         cosines = np.cos(phase.reshape(-1, 1) * np.arange(count + 1))
         change = cosines @ harmonics.reshape(count + 1, -1)
         lead = phase.shape[: phase.ndim - loads[1].ndim]
         change = change.reshape(*lead, *harmonics.shape[1:])
         # (stage, segment, n, n, grid) to (stage, n, n, segment, grid)
         change = np.moveaxis(change, 1, 3)
-        table = (1j * step) * change
+        table: Complex = np.asarray((1j * step) * change)
         if gradient:
             square = np.einsum("sik...,skj...->sij...", change, change)
             table += (1j * gradient) * step**3 * square
@@ -202,7 +205,7 @@ def propagate(
     steps = -(-steps // segments)
     step = span / (steps * segments)
     maker = _linear_factors if system.is_linear else _exact_factors
-    left, right, factors = maker(system, basis, scheme.gradient)
+    left, right, factors = maker(system, basis, loads, step, scheme.gradient)
 
     # axes: row, column, segment, grid; a list of bases runs along the grid's last axis
     frequencies = np.moveaxis(np.atleast_2d(basis.frequencies), 0, -1)
@@ -227,7 +230,7 @@ def propagate(
         index = np.arange(start, min(start + block, steps))
         time = (index[:, None] + times).reshape(-1, 1)
         phase = turn * (segment + time / steps) / segments
-        table = factors(loads, step, phase.reshape(*phase.shape, *([1] * len(grid))))
+        table = factors(phase.reshape(*phase.shape, *([1] * len(grid))))
         table *= np.tile(weights, len(index)).reshape(-1, *([1] * (table.ndim - 1)))
         for stage, factor in enumerate(table):
             to_force()

@@ -1,4 +1,4 @@
-"""Growth-rate charts over pulsating load and excitation frequency: the fast path."""
+"""Stability charts over pulsating load and excitation frequency: the fast path."""
 
 from __future__ import annotations
 
@@ -9,134 +9,241 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import number, numbers
 from .floquet import floquet_solution
+from .hidden import hidden_by_table, hidden_on_panel
 from .sampler import ChartSampler
+from .stiffness import largest_exact_load
 from .system import System
 
-__all__ = ["GrowthMap", "growth_map"]
+__all__ = ["StabilityChart", "stability_chart", "stability_map"]
 
 Array = NDArray[np.float64]
 
 _GROWTH_ERROR = 1e-5  # pixels that may be worse are computed again, one by one
-_FLOOR = 1e-9  # rounding in a growth rate
+_FLOOR = 1e-8  # rounding in a growth rate
 _BLOCK = 8192  # pixels worked on together: what a cache holds
 
 
 @dataclass(frozen=True)
-class GrowthMap:
-    """Growth rates on a grid with their error bounds.
+class StabilityChart:
+    """Growth rates on a grid, their errors and the verdict of each pixel.
 
     Parameters
     ----------
+    pulsating_loads : (R,) float
+        p̄_t of the rows [EI/L²].
+    excitation_frequencies : (C,) float
+        θ̄ of the columns [√(EI/(ρAL⁴))].
     growth : (R, C) float
-        σ [√(EI/(ρAL⁴))], rows along the load, columns along θ̄.
+        σ at the pixel's centre; NaN in rows past the pole of the exact stiffness.
     error : (R, C) float
-        Estimated bound on its error; a pixel is unstable where growth > error.
+        Bound on its error from the method's own estimates: the tolerance of the verdict.
+    peak_growth : (R, C) float
+        `growth`, or that of a tongue narrower than a pixel which passes through it.
+    unstable : (R, C) bool
+        Whether `growth` exceeds its error or a narrow tongue passes.
     refined : int
-        How many pixels were computed again one by one.
+        Pixels computed again one by one.
+    seeded : int
+        Pixels unstable only for a narrow tongue.
     """
 
+    pulsating_loads: Array
+    excitation_frequencies: Array
     growth: Array
     error: Array
+    peak_growth: Array
+    unstable: NDArray[np.bool_]
     refined: int
+    seeded: int
 
 
-def _evaluate_all(sampler: ChartSampler, loads: Array, periods: Array) -> tuple[Array, Array]:
-    """Return growth and error of the whole grid, periods rising."""
-    growth = np.empty((len(loads), len(periods)))
-    error = np.empty_like(growth)
+def _evaluate(sampler: ChartSampler, loads: Array, periods: Array) -> tuple[Array, Array, Array]:
+    """Return growth, error and approach of the whole grid, periods rising."""
+    out = np.empty((3, len(loads), len(periods)))
     for index, panel in enumerate(sampler.panels):
         columns = periods[panel.columns]
         rows = max(1, _BLOCK // len(columns))
         for start in range(0, len(loads), rows):
             part = slice(start, start + rows)
             functions = sampler.evaluate(index, loads[part], columns)
-            growth[part, panel.columns], error[part, panel.columns] = sampler.growth(
-                index, functions, loads[part], columns
+            out[:, part, panel.columns] = sampler.growth(
+                index, functions, loads[part, None], columns
             )
-    return growth, error
+    return out[0], out[1], out[2]
 
 
-def growth_map(
+def _pole(system: System) -> float:
+    """Return the load at which the stiffness has a pole, inf for the linear law."""
+    return np.inf if system.exact_shear is None else float(largest_exact_load(system.exact_shear))
+
+
+def _checked(
+    system: System, static_load: float, loads: ArrayLike, frequencies: ArrayLike
+) -> tuple[float, Array, Array]:
+    """Return the arguments of a chart as numbers and arrays."""
+    if system.spin_speed.ndim:
+        raise ValueError(
+            f"`system` must have one spin speed, got an array of shape {system.spin_speed.shape}"
+        )
+    rows = np.array(numbers("pulsating_loads", loads))
+    columns = np.array(numbers("excitation_frequencies", frequencies, 0.0, open_low=True))
+    for name, array in (("pulsating_loads", rows), ("excitation_frequencies", columns)):
+        if array.ndim != 1 or array.size == 0:
+            raise ValueError(f"`{name}` must be a list of numbers, got shape {array.shape}")
+    return number("static_load", static_load), rows, columns
+
+
+def stability_chart(
     system: System,
     static_load: float,
     pulsating_loads: ArrayLike,
     excitation_frequencies: ArrayLike,
+    *,
     density: float = 1.0,
     refine: bool = True,
-) -> GrowthMap:
-    """Return growth rates on a grid, with the error of each.
+    seed: bool = True,
+) -> StabilityChart:
+    """Return growth rates on a grid, with errors and the verdict of each pixel.
 
     Parameters
     ----------
     system : System
-        One spin speed.
+        One spin speed; lumped or reduced finite-element, damped or not, any stiffness law.
     static_load : float
         p̄₀ [EI/L²].
     pulsating_loads : (R,) float
-        p̄_t [EI/L²]; the sign does not matter.
+        p̄_t [EI/L²], in any order; the sign does not matter.
     excitation_frequencies : (C,) float
         θ̄ [√(EI/(ρAL⁴))], above 0, in any order.
     density : float
-        Nodes and steps relative to the tuned numbers, in [0.3, 3].
+        Nodes and steps relative to the tuned numbers, in [0.3, 3]; less is faster and less
+        accurate, which the error estimate then says.
     refine : bool
         Compute pixels whose error bound exceeds 1e-5 again by `floquet_solution`.
+    seed : bool
+        Look for tongues narrower than a pixel and mark the pixels they pass through.
 
     Returns
     -------
-    GrowthMap
-        Rows whose load passes the pole of the exact stiffness are NaN.
+    StabilityChart
 
     Raises
     ------
     ValueError
         If an argument is not finite, out of range or not 1-d.
+
+    Notes
+    -----
+    The coefficients of the characteristic polynomial are entire in T = 2π/θ̄ and, since a
+    change of sign only shifts time, in p̄_t². They are sampled at Chebyshev nodes by a
+    splitting integrator with a gradient kick, extrapolated in its step, and interpolated to
+    the pixels, where the multipliers follow in closed form (n = 2; else by eigenvalues).
+
+    References
+    ----------
+    M. Takahashi, M. Imada, J. Phys. Soc. Jpn 53 (1984) 3765 (the kick); L. N. Trefethen,
+    Approximation Theory and Approximation Practice (the interpolation).
+
+    Examples
+    --------
+    >>> from rotorstab import ShaftDisk, lumped
+    >>> chart = stability_chart(lumped(ShaftDisk(), 1.0), 1.18, [0.0, 0.5], [0.8, 1.0])
+    >>> chart.unstable.tolist()
+    [[False, False], [False, True]]
     """
-    if system.spin_speed.ndim:
-        raise ValueError(
-            f"`system` must have one spin speed, got an array of shape {system.spin_speed.shape}"
-        )
-    static = number("static_load", static_load)
-    loads = np.abs(numbers("pulsating_loads", pulsating_loads))
-    frequencies = numbers("excitation_frequencies", excitation_frequencies, 0.0, open_low=True)
+    static, given_loads, frequencies = _checked(
+        system, static_load, pulsating_loads, excitation_frequencies
+    )
     density = number("density", density, 0.3, 3.0)
-    for name, array in (("pulsating_loads", loads), ("excitation_frequencies", frequencies)):
-        if array.ndim != 1 or array.size == 0:
-            raise ValueError(f"`{name}` must be a list of numbers, got shape {array.shape}")
-    growth = np.full((len(loads), len(frequencies)), np.nan)
-    error = np.full_like(growth, np.nan)
-    rows = np.flatnonzero(static + loads < system_pole(system))
-    if static >= system_pole(system) or not rows.size:
-        return _frozen(growth, error, 0)
-    order = np.argsort(-frequencies, kind="stable")
-    periods = 2 * np.pi / frequencies[order]
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        sampler = ChartSampler(system, static, float(loads[rows].max()), periods, density)
-        part, slack = _evaluate_all(sampler, loads[rows], periods)
+    shape = (len(given_loads), len(frequencies))
+    growth, error, peak = (np.full(shape, np.nan) for _ in range(3))
     refined = 0
-    if refine:
-        with np.errstate(invalid="ignore"):
-            doubtful = np.argwhere(~(slack <= _GROWTH_ERROR) | ~np.isfinite(part))
-        refined = len(doubtful)
-        if refined:
-            i, j = doubtful.T
-            again = floquet_solution(system, static, loads[rows][i], frequencies[order][j])
-            part[i, j], slack[i, j] = again.growth_rate, again.error
-    slack = np.maximum(slack, _FLOOR)
-    growth[np.ix_(rows, order)] = part
-    error[np.ix_(rows, order)] = slack
-    return _frozen(growth, error, refined)
+    order = np.argsort(-frequencies, kind="stable")
+    magnitude = np.abs(given_loads)
+    valid = np.flatnonzero(static + magnitude < _pole(system))
+    rows = valid[np.argsort(magnitude[valid], kind="stable")]
+    if rows.size:
+        loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            sampler = ChartSampler(system, static, float(loads[-1]), periods, density)
+            part, slack, approach = _evaluate(sampler, loads, periods)
+            if refine:
+                refined = _refine(system, static, loads, frequencies[order], part, slack)
+        tall = np.array(part)
+        if seed:
+            known = np.isfinite(approach).any()
+            for index, panel in enumerate(sampler.panels):
+                if known and panel.period_nodes:
+                    columns = periods[panel.columns]
+                    found = hidden_on_panel(
+                        sampler, index, loads, columns, approach[:, panel.columns]
+                    )
+                    tall[:, panel.columns] = np.maximum(tall[:, panel.columns], found)
+            slow = [p for p in sampler.panels if not (known and p.period_nodes)]
+            if slow:
+                low = min(2 * np.pi / p.high for p in slow)
+                high = max(2 * np.pi / p.low for p in slow)
+                tall = np.fmax(
+                    tall,
+                    hidden_by_table(system, static, loads, frequencies[order], low, high),
+                )
+        target = np.ix_(rows, order)
+        growth[target], error[target], peak[target] = part, np.maximum(slack, _FLOOR), tall
+    with np.errstate(invalid="ignore"):
+        here = growth > error
+        unstable = here | (peak > np.maximum(growth, 0) + _FLOOR)
+    for array in (given_loads, frequencies, growth, error, peak, unstable):
+        array.flags.writeable = False
+    return StabilityChart(
+        given_loads,
+        frequencies,
+        growth,
+        error,
+        peak,
+        unstable,
+        refined,
+        int((unstable & ~here).sum()),
+    )
 
 
-def _frozen(growth: Array, error: Array, refined: int) -> GrowthMap:
-    """Return the map with read-only arrays."""
-    growth.flags.writeable = error.flags.writeable = False
-    return GrowthMap(growth, error, refined)
+def _refine(
+    system: System, static: float, loads: Array, frequencies: Array, growth: Array, error: Array
+) -> int:
+    """Compute doubtful pixels again, in place; return how many."""
+    i, j = np.nonzero(~(error <= _GROWTH_ERROR) | ~np.isfinite(growth))
+    if i.size:
+        again = floquet_solution(system, static, loads[i], frequencies[j])
+        growth[i, j], error[i, j] = again.growth_rate, again.error
+    return len(i)
 
 
-def system_pole(system: System) -> float:
-    """Return the load at which the stiffness has a pole, inf for the linear law."""
-    if system.exact_shear is None:
-        return np.inf
-    from .stiffness import largest_exact_load
+def stability_map(
+    system: System,
+    static_load: float,
+    pulsating_loads: ArrayLike,
+    excitation_frequencies: ArrayLike,
+) -> Array:
+    """Return growth rates (len(pulsating_loads), len(excitation_frequencies)), to 1e-5.
 
-    return float(largest_exact_load(system.exact_shear))
+    The plain numbers of `stability_chart`, which also gives errors, the verdict and tongues
+    narrower than a pixel.
+
+    Parameters
+    ----------
+    system, static_load, pulsating_loads, excitation_frequencies
+        See `stability_chart`.
+
+    Returns
+    -------
+    (R, C) float
+        σ = ln max|μ| / T [√(EI/(ρAL⁴))].
+
+    Examples
+    --------
+    >>> from rotorstab import ShaftDisk, lumped
+    >>> stability_map(lumped(ShaftDisk(), 1.0), 1.18, [0.0, 0.5], [0.8, 1.0]).shape
+    (2, 2)
+    """
+    return stability_chart(
+        system, static_load, pulsating_loads, excitation_frequencies, seed=False
+    ).growth.copy()

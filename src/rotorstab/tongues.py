@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -13,7 +14,14 @@ from .floquet import floquet_solution
 from .resonance import Resonance, resonances
 from .system import System
 
-__all__ = ["TongueEdges", "collision", "tongue_edges"]
+__all__ = [
+    "TongueEdges",
+    "collision",
+    "edge_function",
+    "illinois",
+    "tongue_centres",
+    "tongue_edges",
+]
 
 Array = NDArray[np.float64]
 
@@ -136,24 +144,79 @@ def _follow(
     return centre, width
 
 
-def _edge_function(system: System, static: float, load: Array, theta: Array) -> Array:
+def _polish(
+    system: System,
+    static: float,
+    loads: Array,
+    levels: Array,
+    rows: tuple[Resonance, ...],
+    path: Array,
+) -> tuple[Array, Array]:
+    """Return refined centres and half-widths (K, R) at the loads above 0, NaN where lost."""
+    centre, half_width = (np.full((len(rows), len(loads)), np.nan) for _ in range(2))
+    for k, row in enumerate(rows):
+        good = np.isfinite(path[k])
+        squares = np.concatenate([[0.0], levels[good] ** 2])
+        guess = np.interp(loads**2, squares, np.concatenate([[row.centre], path[k, good]]))
+        lost = (loads**2 > 1.0001 * squares[-1]) | (loads == 0)
+        centre[k] = np.where(lost, np.nan, guess)
+    tongue, at = np.nonzero(np.isfinite(centre))
+    if not len(tongue):
+        return centre, half_width
+    theta, load = centre[tongue, at], loads[at]
+    strength = np.array([2 * row.growth_per_load for row in rows])[tongue]
+    reach = np.clip(strength * load, 3e-4 * theta, 0.02 * theta)
+    for shrink in (1.0, 0.5, 0.5):
+        new, top, bend = _vertex(system, static, load, theta, shrink * reach)
+        theta = np.where(np.abs(new - theta) < 0.05 * theta, new, theta)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        width = np.sqrt(np.maximum(top, 0) / bend)
+    centre[tongue, at] = theta
+    half_width[tongue, at] = np.where(width > 0, width, strength * load)
+    return centre, half_width
+
+
+def tongue_centres(
+    system: System, static: float, loads: Array, rows: tuple[Resonance, ...]
+) -> Array:
+    """Return θ̄ (K, R) of the strongest collision of each tongue at rising loads, NaN if lost."""
+    levels = float(loads[-1]) * np.linspace(0.1, 1, _LEVELS)
+    path, _ = _follow(system, static, levels, rows)
+    return _polish(system, static, loads, levels, rows, path)[0]
+
+
+def edge_function(system: System, static: float, load: Array, theta: Array) -> Array:
     """Return a function positive inside a tongue: growth if damped, the collision if not."""
     approach, growth = collision(system, static, load, theta)
     return np.array(growth if system.is_damped else approach)
 
 
-def _refine(system: System, static: float, load: Array, inside: Array, outside: Array) -> Array:
-    """Return roots of the edge function between points inside and outside, Illinois method."""
+def illinois(
+    function: Callable[[Array, NDArray[np.intp]], Array], inside: Array, outside: Array
+) -> Array:
+    """Return roots between points where a function is positive and where it is not.
+
+    Parameters
+    ----------
+    function : callable
+        Of points and their indices.
+    inside, outside : (P,) float
+
+    Returns
+    -------
+    (P,) float
+        NaN where the signs are not so.
+    """
     a, b = inside.copy(), outside.copy()
-    fa = _edge_function(system, static, load, a)
-    fb = _edge_function(system, static, load, b)
+    everyone = np.arange(len(a))
+    fa, fb = function(a, everyone), function(b, everyone)
     root = np.full_like(a, np.nan)
     live = np.flatnonzero((fa > 0) & (fb <= 0))
     for _ in range(_ROUNDS):
         if not live.size:
             break
         x = (a[live] * fb[live] - b[live] * fa[live]) / (fb[live] - fa[live])
-        f = _edge_function(system, static, load[live], x)
+        f = function(x, live)
         root[live] = x
         same = f > 0
         moved = np.where(same, np.abs(x - a[live]), np.abs(x - b[live]))
@@ -183,7 +246,7 @@ def _bracket(
         live, theta = live[valid], theta[valid]
         if not live.size:
             break
-        f = _edge_function(system, static, load[live], theta)
+        f = edge_function(system, static, load[live], theta)
         found = f <= 0
         outside[live[found]] = theta[found]
         inside[live[~found]] = theta[~found]
@@ -269,43 +332,32 @@ def _fill(
 ) -> None:
     """Polish centres and edges at every load, all tongues together."""
     centre, left, right, growth, status = out
-    k_index, r_index = np.nonzero(np.ones(centre.shape, dtype=bool) & (loads > 0))
-    guess = np.empty(len(k_index))
-    for k, row in enumerate(rows):
-        good = np.isfinite(path[k])
-        squares = np.concatenate([[0.0], levels[good] ** 2])
-        heights = np.concatenate([[row.centre], path[k, good]])
-        here = k_index == k
-        wanted = loads[r_index[here]] ** 2
-        guess[here] = np.interp(wanted, squares, heights)
-        guess[here] = np.where(wanted > 1.0001 * squares[-1], np.nan, guess[here])
-    keep = np.isfinite(guess)
-    k_index, r_index, theta = k_index[keep], r_index[keep], guess[keep]
-    if not len(theta):
+    theta_all, width_all = _polish(system, static, loads, levels, rows, path)
+    k_index, r_index = np.nonzero(np.isfinite(theta_all))
+    if not len(k_index):
         return
+    theta, width = theta_all[k_index, r_index], width_all[k_index, r_index]
     load = loads[r_index]
-    strength = np.array([2 * row.growth_per_load for row in rows])[k_index]
-    reach = np.clip(strength * load, 3e-4 * theta, 0.02 * theta)
-    for shrink in (1.0, 0.5, 0.5):
-        new, top, bend = _vertex(system, static, load, theta, shrink * reach)
-        theta = np.where(np.abs(new - theta) < 0.05 * theta, new, theta)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        width = np.sqrt(np.maximum(top, 0) / bend)
-    width = np.where(width > 0, width, strength * load)
-    inside = _edge_function(system, static, load, theta)
+    inside = edge_function(system, static, load, theta)
     _, rate = collision(system, static, load, theta)
     ok = inside > 0
     status[k_index, r_index] = np.where(ok, "merged", "stable" if system.is_damped else "lost")
     centre[k_index, r_index], growth[k_index, r_index] = theta, rate
     centre[k_index[~ok], r_index[~ok]] = np.nan
-    k_index, r_index, theta, load, width = (x[ok] for x in (k_index, r_index, theta, load, width))
+    k_index, r_index = k_index[ok], r_index[ok]
+    theta, load, width = theta[ok], load[ok], width[ok]
     edges = []
     for side in (-1, 1):
         inner, outer = _bracket(system, static, load, theta, width, side)
         found = np.isfinite(outer)
         edge = np.full_like(theta, np.nan)
         if found.any():
-            edge[found] = _refine(system, static, load[found], inner[found], outer[found])
+            part = load[found]
+            edge[found] = illinois(
+                lambda x, i, part=part: edge_function(system, static, part[i], x),  # type: ignore[misc]
+                inner[found],
+                outer[found],
+            )
         edges.append(edge)
     left[k_index, r_index], right[k_index, r_index] = edges
     both = np.isfinite(edges[0]) & np.isfinite(edges[1])
