@@ -271,5 +271,10 @@ def test_figures_are_plain_frozen_data(number):
             assert one.x.shape == one.y.shape
             with pytest.raises(ValueError, match="read-only"):
                 one.x[0] = 0.0
-    assert {line.style for line in drawn.groups().values()} <= {"solid", "dashed", "dashdot", "dotted"}
+    assert {line.style for line in drawn.groups().values()} <= {
+        "solid",
+        "dashed",
+        "dashdot",
+        "dotted",
+    }
     assert drawn.panel("a") is drawn.panels[0]
