@@ -3,11 +3,23 @@
 import numpy as np
 import pytest
 
-from rotorstab import BASE_CASE, TABLE_1_SI, ShaftDisk, fundamental_frequency, linear_stiffness
+from rotorstab import (
+    BASE_CASE,
+    TABLE_1_SI,
+    ShaftDisk,
+    fundamental_frequency,
+    linear_stiffness,
+    lumped,
+)
 from rotorstab.bolotin import boundary_frequencies
 from rotorstab.critical import critical_load
 from rotorstab.finite_element import finite_element
-from rotorstab.whirl import whirl_frequencies
+from rotorstab.whirl import (
+    campbell_diagram,
+    critical_speeds,
+    load_frequency_curves,
+    whirl_frequencies,
+)
 
 BARE = {"disk_mass": 0.0, "diametral_inertia": 0.0, "polar_inertia": 0.0}
 BEAM = ShaftDisk(shear=0.0, slenderness=0.0, **BARE)
@@ -239,3 +251,33 @@ def test_damping_follows_its_own_fundamental_frequency():
 def test_bad_arguments_are_refused(change, message):
     with pytest.raises(ValueError, match=message):
         finite_element(**{"rotor": BASE_CASE, "spin_speed": 0.0, **change})
+
+
+def test_a_heavy_disk_makes_the_lumped_model_right():
+    """Against the disk the shaft's mass vanishes: one model's analyses against the other's."""
+    rotor = ShaftDisk(shear=0.0192, disk_mass=5e3, diametral_inertia=8e2, polar_inertia=1.6e3)
+    buckling = float(critical_load(rotor.shear))
+    speed = 0.05
+    for tangency in (0.0, 1.0):
+        simple = lumped(rotor, speed, tangency, stiffness="exact")
+        full = finite_element(rotor, speed, tangency, elements=40, modes=10)
+        for load in (-buckling, 0.0, 0.5 * buckling):
+            wanted = whirl_frequencies(simple, load).real
+            assert lowest_four(full, load) == pytest.approx(wanted, rel=2e-3)
+    still = boundary_frequencies(lumped(rotor, 0.0), 0.2 * buckling, 0.3 * buckling)
+    ours = boundary_frequencies(
+        finite_element(rotor, 0.0, modes=8), 0.2 * buckling, 0.3 * buckling
+    )[:4]
+    assert ours == pytest.approx(still, rel=5e-3)
+
+
+def test_every_analysis_of_whirl_takes_the_finite_elements():
+    system = finite_element(BASE_CASE, 1.0, modes=4)
+    curves = load_frequency_curves(system, np.linspace(0.0, 1.0, 11))
+    assert curves.frequencies.shape == (11, 8)
+    assert curves.names[3:5] == ("1B", "1F")
+    diagram = campbell_diagram(system, np.linspace(0.0, 2.0, 11))
+    assert diagram.frequencies[5] == pytest.approx(curves.frequencies[0])
+    backward = critical_speeds(system).backward
+    whirl = whirl_frequencies(system.at_speed(backward[0]), 0.0).real
+    assert np.abs(whirl + backward[0]).min() < 1e-8
