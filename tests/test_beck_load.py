@@ -66,8 +66,8 @@ def test_flutter_load_finds_the_same_column():
     [
         ((1.0, 0.0), r"`shear` must be in \[0, 1\), got 1"),
         ((0.0, -0.1), r"`slenderness` must be in \[0, 1\), got -0.1"),
-        ((0.0, 0.0, 4), r"`elements` must be in \[8, 400\], got 4"),
-        ((0.0, 0.0, 10), r"`elements` must be a multiple of 4 in \[8, 400\], got 10"),
+        ((0.0, 0.0, 4), r"`elements` must be in \[8, 200\], got 4"),
+        ((0.0, 0.0, 10), r"`elements` must be a multiple of 4 in \[8, 200\], got 10"),
     ],
 )
 def test_bad_arguments_are_refused(arguments, message):

@@ -30,7 +30,13 @@ def test_figure_is_written_in_every_format(suffix, tmp_path, capsys):
     assert path.stat().st_size > 1000
     assert main(["figure", "2", "--output", str(path)]) == 2
     assert capsys.readouterr().err == f"rotorstab: {path} exists; --force overwrites it\n"
+
+
+def test_force_overwrites(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("old")
     assert main(["figure", "2", "--output", str(path), "--force"]) == 0
+    assert path.read_text().startswith("# Figure 2.")
 
 
 def test_all_figures_come_out_of_one_command(tmp_path, capsys):

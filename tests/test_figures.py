@@ -22,6 +22,8 @@ from rotorstab import (
     whirl_frequencies,
 )
 from rotorstab.figures import CONCLUSIONS, FIGURES, table_1
+from rotorstab.floquet import growth_rate
+from rotorstab.resonance import resonances
 
 BUCKLING = float(critical_load(BASE_CASE.shear))
 FREQUENCY = fundamental_frequency(lumped(BASE_CASE, 0.0))
@@ -198,6 +200,18 @@ def test_conclusion_b_holds_for_regions_but_not_as_instability():
         assert not whirl_frequencies(system, 0.5 * BUCKLING).imag.any()
 
 
+def test_the_gyroscopic_moment_weakens_the_true_principal_tongue():
+    """Against conclusion (b): from the resonance table, and from Floquet at its centre."""
+    growth = []
+    for spin in (0.0, 1.0, 2.0):
+        system = lumped(BASE_CASE, spin)
+        row = resonances(system, 0.5 * BUCKLING, 0.05 * BUCKLING)["1B+1F"]
+        centres = row.centre + np.linspace(-1, 1, 9) * row.half_width / 2
+        growth.append(growth_rate(system, 0.5 * BUCKLING, 0.05 * BUCKLING, centres).max() / 0.05)
+        assert growth[-1] == pytest.approx(row.growth_per_load * BUCKLING, rel=0.02)
+    assert growth == pytest.approx([0.2232, 0.1848, 0.1370], abs=2e-3)
+
+
 def test_conclusion_c_holds_under_an_axial_load_only():
     assert CONCLUSIONS["c"]().verdict == "agree"
     follower = lumped(BASE_CASE, 0.0, 1.0)
@@ -222,7 +236,9 @@ def test_conclusion_d_holds_at_the_higher_speed_and_half_at_the_lower():
 
 
 def test_conclusion_e_holds_for_the_first_bolotin_region():
-    assert CONCLUSIONS["e"]().verdict == "agree"
+    statement = CONCLUSIONS["e"]()
+    assert statement.verdict == "agree"
+    assert "growth 0.000" in statement.note
     for spin in SPINS.values():
         axial, follower = (
             boundary_frequencies(lumped(BASE_CASE, spin, tangency), 0.5 * BUCKLING, 0.5 * BUCKLING)
@@ -255,5 +271,18 @@ def test_figures_are_plain_frozen_data(number):
             assert one.x.shape == one.y.shape
             with pytest.raises(ValueError, match="read-only"):
                 one.x[0] = 0.0
-    assert {line.style for line in drawn.groups().values()} <= {"solid", "dashed", "dashdot", "dotted"}
+    assert {line.style for line in drawn.groups().values()} <= {
+        "solid",
+        "dashed",
+        "dashdot",
+        "dotted",
+    }
     assert drawn.panel("a") is drawn.panels[0]
+
+
+def test_linear_coefficients_buckle_later_than_the_shaft():
+    """The load factors' p̄_cr is the exact one; the linear shaft buckles 1.5 % above it."""
+    elastic, geometric = linear_stiffness(BASE_CASE.shear)
+    loads = np.linalg.eigvals(-np.linalg.solve(geometric, elastic))
+    assert loads.min() == pytest.approx(2.3913, abs=5e-5)
+    assert "1B reaches ω̄ = 0 at p̄ = 2.3913" in figure(8).reading[2].ours

@@ -118,7 +118,7 @@ def _beck_load_on_mesh(shaft: ShaftDisk, elements: int) -> float:
     if not beyond.size:
         return float("inf")
     first = int(beyond[0])
-    return float(brentq(gap, loads[first - 1], loads[first], xtol=1e-11))
+    return float(brentq(lambda load: float(gap(load)), loads[first - 1], loads[first], xtol=1e-11))
 
 
 def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
@@ -131,7 +131,7 @@ def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
     slenderness : float
         r [-], in [0, 1): rotary inertia.
     elements : int
-        Elements of the finest of three meshes, n/4, n/2 and n: a multiple of 4, 8 to 400.
+        Elements of the finest of three meshes, n/4, n/2 and n: a multiple of 4, 8 to 200.
 
     Returns
     -------
@@ -160,9 +160,9 @@ def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
     >>> round(beck_load(0.0, 0.0), 4), round(beck_load(0.0192, 0.08), 4)
     (20.051, 12.302)
     """
-    count = number("elements", elements, 8, 400)
+    count = number("elements", elements, 8, 200)
     if count % 4:
-        raise ValueError(f"`elements` must be a multiple of 4 in [8, 400], got {elements!r}")
+        raise ValueError(f"`elements` must be a multiple of 4 in [8, 200], got {elements!r}")
     shaft = ShaftDisk(shear, 0.0, 0.0, 0.0, slenderness)
     coarse, medium, fine = (_beck_load_on_mesh(shaft, int(count) // part) for part in (4, 2, 1))
     if not np.isfinite(coarse + medium + fine):

@@ -12,12 +12,13 @@ from itertools import pairwise
 import numpy as np
 
 from ..critical import critical_load
+from ..resonance import resonances
 from ..rotor import BASE_CASE
 from ..system import lumped
 from ..whirl import whirl_frequencies
 from .regions import figure_5, figure_6, figure_7, figure_9
 from .structure import Figure, Statement
-from .verdicts import boundaries, groups, judge, percent, right_of
+from .verdicts import boundaries, groups, judge, percent, right_of, say
 
 __all__ = [
     "CONCLUSIONS",
@@ -55,6 +56,23 @@ def _first_widths(figure: Figure, group: str, index: int) -> list[float]:
     return [float(right - left) for left, right in edges]
 
 
+def _tongues(tangency: float, name: str | None = None) -> list[float]:
+    """Return the peak growth rate per β_d of one tongue, or the strongest, at Ω̄ = 0, 1, 2."""
+    buckling = float(critical_load(BASE_CASE.shear))
+    tables = [
+        resonances(lumped(BASE_CASE, spin, tangency), 0.5 * buckling, buckling)
+        for spin in (0.0, 1.0, 2.0)
+    ]
+    return [
+        buckling * max(row.growth_per_load for row in table if name in (None, row.name))
+        for table in tables
+    ]
+
+
+def _list(values: list[float]) -> str:
+    return ", ".join(f"{value:.3f}" for value in values)
+
+
 def conclusion_b() -> Statement:
     """Return (b): shear and the gyroscopic moment are destabilising."""
     figure = figure_5()
@@ -66,16 +84,23 @@ def conclusion_b() -> Statement:
     at_zero = _first_widths(figure, "Timoshenko", 0)
     buckling = float(critical_load(BASE_CASE.shear))
     whirl = whirl_frequencies(lumped(BASE_CASE, 2.0), 0.5 * buckling)
+    growth = _tongues(0.0, "1B+1F")
     stable = bool(np.abs(whirl.imag).max() == 0)
     return Statement(
         "(b) Shear deformation and the gyroscopic moment are both destabilising.",
-        f"Shear lowers every boundary in {sum(lower)} of {len(lower)} panels. The first region's "
-        f"width at β_d = 0.5 is {', '.join(f'{w:.3f}' for w in widths)} at Ω̄ = 0, 1, 2; "
-        f"at β_d = 0 it is {', '.join(f'{w:.3f}' for w in at_zero)}, though there every whirl "
-        "frequency is " + ("real, that is stable." if stable else "complex."),
-        judge(*lower, widths[0] < widths[1] < widths[2], at_zero[2] < 1e-6),
-        "True of the position and width of Bolotin's regions. The gyroscopic widening is no "
-        "loss of stability: the region keeps its width where nothing pulsates.",
+        f"Shear lowers every boundary in {sum(lower)} of {len(lower)} panels. At Ω̄ = 0, 1, 2 "
+        f"the first region's width is {_list(widths)} at β_d = 0.5, and {_list(at_zero)} at "
+        f"β_d = 0, where every whirl frequency is {say(stable, 'real: stable', 'complex')}. The "
+        f"true tongue of 1B and 1F grows at {_list(growth)} times β_d.",
+        judge(
+            *lower,
+            widths[0] < widths[1] < widths[2],
+            at_zero[2] < 1e-6,
+            growth[0] < growth[1] < growth[2],
+        ),
+        "True of the position and width of Bolotin's regions. The gyroscopic widening is no loss "
+        "of stability: the region keeps its width where nothing pulsates, while the true tongue "
+        "becomes weaker and narrower with the speed.",
     )
 
 
@@ -123,6 +148,11 @@ def conclusion_d() -> Statement:
 def conclusion_e() -> Statement:
     """Return (e): an axial load is worse than a follower load."""
     lower, wider = [], []
+    axial_growth, follower_growth = _tongues(0.0), _tongues(1.0)
+    principal = _tongues(1.0, "1B+1F")[-1]
+    buckling = float(critical_load(BASE_CASE.shear))
+    table = resonances(lumped(BASE_CASE, 2.0, 1.0), 0.5 * buckling, buckling)
+    strongest = max(table, key=lambda row: row.growth_per_load).name
     for panel in figure_9().panels:
         axial, follower = (boundaries(panel, group, ("1B", "1F")) for group in groups(panel))
         lower.append(right_of(follower, axial))
@@ -131,10 +161,17 @@ def conclusion_e() -> Statement:
         "(e) The periodic axial load makes the rotor more unstable than the follower load at "
         "the same static load factor.",
         f"The axial first region lies at lower frequency in {sum(lower)} and is wider in "
-        f"{sum(wider)} of {len(lower)} panels.",
-        judge(*lower, *wider),
-        "True of Bolotin's first region at α_s = 0.5. It says nothing of combination "
-        "resonances, which a follower load has more of.",
+        f"{sum(wider)} of {len(lower)} panels. The strongest true tongue at Ω̄ = 0, 1, 2 grows at "
+        f"{_list(axial_growth)} times β_d under axial, {_list(follower_growth)} under follower "
+        "load.",
+        judge(
+            *lower,
+            *wider,
+            *(a > b for a, b in zip(axial_growth, follower_growth, strict=True)),
+        ),
+        "At α_s = 0.5, of Bolotin's first region and of the strongest tongue. At Ω̄ = 2 the "
+        "follower load's first region holds no tongue of 1B and 1F at all (growth "
+        f"{principal:.3f}); its strongest is {strongest}.",
     )
 
 

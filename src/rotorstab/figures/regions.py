@@ -43,7 +43,7 @@ def figure_4(
     speeds_rpm : sequence of float
         Ω [rev/min], a panel each.
     elements, modes : int
-        Of `finite_element`; 6 modes are within 2e-5 of all.
+        Of `finite_element`; 6 modes are within 1e-5 of all.
     largest_factor : float
         Top of the β_d axis.
 

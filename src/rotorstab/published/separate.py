@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ..bolotin import boundary_frequencies
 from ..critical import critical_load, flutter_load
 from ..finite_element import finite_element
+from ..resonance import resonances
 from ..rotor import BASE_CASE
 from ..system import fundamental_frequency, lumped
 from ..whirl import whirl_frequencies
@@ -34,8 +35,16 @@ def _boundary(spin: float, static: float, pulsating: float, root: int) -> float:
     return float(boundaries[root] / fundamental_frequency(lumped(BASE_CASE, 0.0)))
 
 
+def _tongue(spin: float, tangency: float, name: str, which: int) -> float:
+    """Return a tongue's centre over ω_n, or its peak growth per β_d, at α_s = 0.5."""
+    buckling = float(critical_load(BASE_CASE.shear))
+    row = resonances(lumped(BASE_CASE, spin, tangency), 0.5 * buckling, buckling)[name]
+    scale = fundamental_frequency(lumped(BASE_CASE, 0.0))
+    return (row.centre / scale, row.growth_per_load * buckling)[which]
+
+
 def separate() -> list[Published]:
-    """Return whirl, boundary and flutter values of the base case and of Table 1."""
+    """Return whirl, boundary, tongue and flutter values of the base case and of Table 1."""
     quartic = "separate solution of the quartic"
     cases: list[tuple[float, float, float, tuple[str, ...]]] = [
         (0.0, 0.0, 0.0, ("-2.41457", "-0.64669", "0.64669", "2.41457")),
@@ -103,6 +112,37 @@ def separate() -> list[Published]:
         )
         for model, rpm, factor, mode, printed in table
     ]
+    tongues: list[tuple[float, float, str, str, str]] = [
+        (1.0, 0.0, "1B+1F", "1.5347", "0.18482"),
+        (1.0, 0.0, "2B+1F", "4.0422", "0.06944"),
+        (1.0, 0.0, "2B+2F", "8.1423", "0.03991"),
+        (1.0, 0.0, "1B+2F", "5.6348", "0.00613"),
+        (2.0, 1.0, "1B+2B", "1.9877", "0.10322"),
+        (2.0, 1.0, "2B+1F", "4.0895", "0.05647"),
+        (2.0, 1.0, "2B+2F", "10.0354", "0.07071"),
+        (2.0, 1.0, "1F+2F", "5.9459", "0.02536"),
+    ]
+    for spin, tangency, name, centre, growth in tongues:
+        case = f"tongue {name}, {'follower' if tangency else 'axial'}, Ω̄ = {spin:g}, α_s = 0.5"
+        source = "separate code, checked by Floquet"
+        items += [
+            item(
+                DERIVED,
+                f"θ/ω_n of {case}",
+                "-",
+                centre,
+                source,
+                partial(_tongue, spin, tangency, name, 0),
+            ),
+            item(
+                DERIVED,
+                f"growth over β_d of {case}",
+                "-",
+                growth,
+                source,
+                partial(_tongue, spin, tangency, name, 1),
+            ),
+        ]
     follower = "separate code, merging roots"
     return [
         *items,
