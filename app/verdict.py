@@ -58,10 +58,10 @@ def _comparison(answer: FloquetAnswer) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     text = f"Of this window {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
     if true > 0 and bolotin > true:
-        text += f", which overstates it by {100 * (bolotin / true - 1):,.0f} %"
+        text += f", an overstatement of {100 * (bolotin / true - 1):,.0f} %"
     missed = true - both
-    if true > 0 and missed > 0.001 * true:
-        text += f", and misses {_percent(missed / true)} of it"
+    if missed > 0.001 * true > 0:
+        text += f"; {_percent(missed / true)} of what is unstable lies outside them"
     return text + "."
 
 

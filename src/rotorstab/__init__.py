@@ -10,11 +10,14 @@ from .bolotin import (
 from .critical import beck_load, critical_load, flutter_load
 from .finite_element import finite_element
 from .floquet import floquet_multipliers, growth_rate
+from .hill import hill_boundary_frequencies
+from .margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
 from .resonance import Resonance, ResonanceTable, resonances
 from .rotor import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
-from .stability import GrowthMap, growth_map
+from .stability import StabilityChart, stability_chart, stability_map
 from .stiffness import exact_stiffness, linear_stiffness
 from .system import System, fundamental_frequency, lumped
+from .tongues import TongueEdges, tongue_edges
 from .whirl import (
     CriticalSpeeds,
     WhirlCurves,
@@ -29,13 +32,16 @@ __all__ = [
     "EULER_BERNOULLI_TWIN",
     "TABLE_1_SI",
     "BolotinChart",
+    "CriticalPulsation",
     "CriticalSpeeds",
-    "GrowthMap",
     "Resonance",
     "ResonanceTable",
     "Scales",
     "ShaftDisk",
+    "StabilityChart",
+    "StabilityMargin",
     "System",
+    "TongueEdges",
     "WhirlCurves",
     "beck_load",
     "bolotin_chart",
@@ -43,18 +49,23 @@ __all__ = [
     "boundary_frequencies",
     "campbell_diagram",
     "critical_load",
+    "critical_pulsation",
     "critical_speeds",
     "exact_stiffness",
     "finite_element",
     "floquet_multipliers",
     "flutter_load",
     "fundamental_frequency",
-    "growth_map",
     "growth_rate",
+    "hill_boundary_frequencies",
     "in_bolotin_region",
     "linear_stiffness",
     "load_frequency_curves",
     "lumped",
     "resonances",
+    "stability_chart",
+    "stability_map",
+    "stability_margin",
+    "tongue_edges",
     "whirl_frequencies",
 ]

@@ -25,9 +25,9 @@ class GrowthGrid:
     Parameters
     ----------
     growth : (R, C) float
-        σ̄ [√(EI/(ρAL⁴))] at the pixel centres, rows upwards.
+        σ̄ [√(EI/(ρAL⁴))] at the pixel centres, or of a thinner tongue inside; rows upwards.
     unstable : (R, C) bool
-        Whether σ̄ exceeds its own error bound.
+        Floquet's verdict.
     bolotin : (R, C) bool or None
         Whether the pixel lies in a Bolotin region; None where there is none to compare with.
     per_period : bool
