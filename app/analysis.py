@@ -247,9 +247,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             reference,
             frequency_range,
             top,
-            GrowthGrid(
-                growth.peak_growth, growth.unstable, mask, inputs["growth_unit"] == "per period"
-            ),
+            grid,
             [(row.centre / frequency, row.name) for row in table.tongues],
         ),
         load_frequency_chart(

@@ -52,7 +52,8 @@ def _label_tongues(
             continue
         level = 0
         while any(
-            abs(x - other) < 0.09 * (right - left) and abs(y - top * _level(level)) < 0.03 * top
+            abs(x - other) < 0.2 * (right - left)  # a phone is narrow
+            and abs(y - top * _level(level)) < 0.03 * top
             for other, y, _, _ in rows
         ):
             level += 1
