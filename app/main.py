@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import panel as pn
+from bokeh.models import CustomJS
 from markupsafe import Markup
 
 from rotorstab.charts import ROLES
@@ -71,13 +72,17 @@ def build() -> pn.Template:
     """Return a page of its own session."""
     template = pn.Template(LAYOUT)
     template.title = "rotorstab"
-    for name, root in Session().roots().items():
+    for name, root in Session(pn.state.session_args).roots().items():
         template.add_panel(name, root)
     template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
     template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
     template.add_variable("paper_script", Markup((ASSETS / "paper.js").read_text(encoding="utf-8")))
     template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
     template.add_variable("download", download)
+    if pn.state.curdoc is not None:
+        pn.state.curdoc.js_on_event(
+            "connection_lost", CustomJS(code="window.rotorstab.connectionLost()")
+        )
     return template
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
 from typing import Any
@@ -19,6 +19,7 @@ from .controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import MIME, printer
+from .share import describe_problems, from_arguments, to_query
 from .state import State
 
 __all__ = ["Session"]
@@ -41,8 +42,11 @@ class Session:
     Only the page in view is computed and patched; another one catches up when it is opened.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, arguments: Mapping[str, Sequence[bytes | str]] | None = None) -> None:
         self.state = State()
+        values, doubtful = from_arguments(arguments or {})
+        # said once, beside the first picture
+        self._address_notice = describe_problems(doubtful, self.state.change(values))
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
@@ -87,6 +91,8 @@ class Session:
             "values": self.state.inputs(),
             "errors": errors,
             "notice": self.notice,
+            "address_notice": self._address_notice,
+            "query": to_query(self.state.inputs()),
             "page": self.active,
         }
 

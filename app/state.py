@@ -32,6 +32,8 @@ SYMBOLS = {
     "largest_factor": "β_d max",
     "lowest_frequency": "θ/ωₙ min",
     "highest_frequency": "θ/ωₙ max",
+    "marker_frequency": "θ/ωₙ",
+    "marker_factor": "β_d",
 }
 
 
@@ -174,6 +176,26 @@ class State(param.Parameterized):
         objects=["per time", "per period"],
         label="Growth shown",
         doc="Growth rate σ̄ per unit of model time, or σ̄T per period of the load.",
+    )
+
+    marker = param.Boolean(
+        default=False,
+        label="Marker",
+        doc="Looks inside one point of the instability chart.",
+    )
+    marker_frequency = param.Number(
+        default=1.68,
+        bounds=(0.05, 40.0),
+        step=0.01,
+        label="Marker frequency",
+        doc="θ/ωₙ of the point that is looked into.",
+    )
+    marker_factor = param.Number(
+        default=0.5,
+        bounds=(0.0, 2.0),
+        step=0.01,
+        label="Marker factor",
+        doc="β_d of the point that is looked into.",
     )
 
     def inputs(self) -> dict[str, Any]:

@@ -120,7 +120,10 @@ window.rotorstab = (() => {
     page.paper.answer(data);
     if (data.told !== undefined) tell(data.told);
     if (!data.values) return;
-    const notes = [data.notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
+    const address = `${location.pathname}?${data.query}${location.hash}`;
+    // history entries would fill the back button with slider positions
+    if (data.query && !page.left) history.replaceState(null, "", address);
+    const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));
@@ -135,6 +138,27 @@ window.rotorstab = (() => {
     }
   };
 
+  // -- a lost connection: everything is in the address, so a reload brings it back ---
+  page.connectionLost = () => {
+    if (page.left) return;
+    page.left = true;
+    const lost = document.querySelector(".lost");
+    lost.hidden = false;
+    lost.textContent = "The connection to the server was lost. This page returns by itself, with your settings, as soon as the server answers.";
+    let wait = 800;
+    const probe = async () => {
+      try {
+        const answer = await fetch(location.href, { cache: "no-store" });
+        if (answer.ok) { location.reload(); return; }
+      } catch { /* not yet */ }
+      wait = Math.min(15000, wait * 1.6);
+      setTimeout(probe, wait * (0.7 + 0.6 * Math.random()));
+    };
+    setTimeout(probe, wait);
+  };
+  addEventListener("pagehide", () => { page.left = true; });
+  addEventListener("pageshow", () => { page.left = false; });
+
   document.addEventListener("DOMContentLoaded", () => {
     const sidebar = document.querySelector("#sidebar");
     const menu = document.querySelector("button.menu");
@@ -146,6 +170,10 @@ window.rotorstab = (() => {
     menu.addEventListener("click", () => drawer(!sidebar.classList.contains("open")));
     sidebar.querySelector(".close").addEventListener("click", () => drawer(false));
     document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
+    document.querySelector("button.share").addEventListener("click", async () => {
+      try { await navigator.clipboard.writeText(location.href); tell("The link is on the clipboard."); }
+      catch { prompt("Copy this link:", location.href); }
+    });
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
     window.addEventListener("hashchange", visit);
