@@ -11,6 +11,7 @@ from markupsafe import Markup
 from rotorstab.charts import ROLES
 
 from .pages import PAGES
+from .printing import FORMATS
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
@@ -53,7 +54,6 @@ def layout() -> str:
     )
 
 
-FORMATS = ("pdf", "svg", "png", "csv", "json")
 LAYOUT = layout()
 
 

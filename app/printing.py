@@ -9,16 +9,17 @@ from __future__ import annotations
 import multiprocessing
 import sys
 from collections import OrderedDict
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from threading import Lock
 from types import ModuleType
 
 from rotorstab import export, plots_paper
 from rotorstab.figures import Figure
 
-__all__ = ["MIME", "Printer", "printer"]
+__all__ = ["FORMATS", "MIME", "Printer", "gather", "printer"]
 
 MIME = {
     "pdf": "application/pdf",
@@ -26,7 +27,9 @@ MIME = {
     "png": "image/png",
     "csv": "text/csv",
     "json": "application/json",
+    "html": "text/html",
 }
+FORMATS = ("pdf", "svg", "png", "csv", "json")
 _TABLES = {"csv": export.figure_csv, "json": export.figure_json}
 
 
@@ -51,7 +54,7 @@ class Printer:
         self._made: OrderedDict[Hashable, Future[bytes]] = OrderedDict()
 
     def file(self, key: Hashable, figure: Figure, kind: str) -> Future[bytes]:
-        """Return the future of a figure's file of one kind, a key of `MIME`.
+        """Return the future of a figure's file of one kind, one of `FORMATS`.
 
         `key` says what the figure shows; the same key and kind give the same future.
         """
@@ -99,6 +102,27 @@ class Printer:
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
+
+
+def gather(futures: Sequence[Future[bytes]]) -> Future[list[bytes]]:
+    """Return the future of all results, in order; the first failure fails it."""
+    together: Future[list[bytes]] = Future()
+    lock = Lock()
+
+    def check(_: Future[bytes]) -> None:
+        with lock:
+            if together.done() or not all(one.done() for one in futures):
+                return
+            problems = [one.exception() for one in futures]
+            failed = next((problem for problem in problems if problem is not None), None)
+            if failed is None:
+                together.set_result([one.result() for one in futures])
+            else:
+                together.set_exception(failed)
+
+    for one in futures:
+        one.add_done_callback(check)
+    return together
 
 
 printer = Printer()

@@ -7,6 +7,7 @@ from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -14,13 +15,16 @@ import panel as pn
 from rotorstab.charts import chart_figure
 from rotorstab.figures import FIGURES
 
-from .analysis import paper_figure
+from .analysis import paper_figure, solve
 from .controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
-from .printing import MIME, printer
+from .printing import FORMATS, MIME, gather, printer
+from .report import report_html
 from .share import describe_problems, from_arguments, to_query
+from .snippet import python_snippet
 from .state import State
+from .verdict import verdict
 
 __all__ = ["Session"]
 
@@ -81,6 +85,10 @@ class Session:
             self.active = str(name)
         elif kind == "export":
             reply = self.export(message)
+        elif kind == "python":
+            reply = Reply({"python": python_snippet(self.state)})
+        elif kind == "report":
+            reply = self.report()
         else:
             reply = self.pages[self.active].handle(message, self.state)
         if reply.later is not None:
@@ -99,7 +107,7 @@ class Session:
     def export(self, message: Mapping[str, Any]) -> Reply:
         """Start making a file of a live chart or of a figure of the paper."""
         kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
-        if kind not in MIME:
+        if kind not in FORMATS:
             return Reply({"told": "no such file format"})
         if isinstance(chart, str) and chart in self.pages[self.active].charts:
             name = f"rotorstab-{chart}.{kind}"
@@ -112,6 +120,34 @@ class Session:
         else:
             return Reply({"told": "no such chart"})
         return Reply({"told": f"making {name} …"}, later, lambda data: _file(name, kind, data))
+
+    def report(self) -> Reply:
+        """Start making the one-page report of the Explore view."""
+        try:
+            result = solve(self.state)
+        except ValueError as error:
+            return Reply({"told": str(error)})
+        inputs = self.state.inputs()
+        pictures = {
+            chart.title: printer.file((key, *inputs.values()), chart_figure(chart, inputs), "svg")
+            for key, chart in result.charts.items()
+        }
+        words = verdict(result.floquet)
+        # the state of now, not of when the pictures are ready
+        page = partial(
+            report_html,
+            State(**inputs),
+            result.numbers,
+            words,
+            query=to_query(inputs),
+        )
+        name = "rotorstab-report.html"
+
+        def wrap(drawn: list[bytes]) -> dict[str, Any]:
+            titled = {title: svg.decode() for title, svg in zip(pictures, drawn, strict=True)}
+            return _file(name, "html", page(pictures=titled).encode())
+
+        return Reply({"told": f"making {name} …"}, gather(list(pictures.values())), wrap)
 
     def _deliver(self, reply: Reply) -> None:
         """Send what comes later, from the server's own loop, when it is there."""

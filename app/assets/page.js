@@ -118,6 +118,11 @@ window.rotorstab = (() => {
     }
     if (data.errors_table) showErrors(data.errors_table);
     page.paper.answer(data);
+    if (data.python) {
+      const dialog = document.querySelector("dialog.code");
+      dialog.querySelector("code").textContent = data.python;
+      if (!dialog.open) dialog.showModal();
+    }
     if (data.told !== undefined) tell(data.told);
     if (!data.values) return;
     const address = `${location.pathname}?${data.query}${location.hash}`;
@@ -174,6 +179,17 @@ window.rotorstab = (() => {
       try { await navigator.clipboard.writeText(location.href); tell("The link is on the clipboard."); }
       catch { prompt("Copy this link:", location.href); }
     });
+    const dialog = document.querySelector("dialog.code");
+    document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
+    document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report" }));
+    dialog.querySelector(".shut").addEventListener("click", () => dialog.close());
+    dialog.querySelector(".copy").addEventListener("click", async () => {
+      try { await navigator.clipboard.writeText(dialog.querySelector("code").textContent); tell("The program is on the clipboard."); }
+      catch { tell("Select the text and copy it."); }
+    });
+    const more = document.querySelector("details.more");
+    more.addEventListener("click", (event) => { if (event.target.tagName === "BUTTON") more.open = false; });
+    document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
     window.addEventListener("hashchange", visit);

@@ -1,0 +1,90 @@
+"""A one-page report of the Explore view: self-contained HTML, made to be printed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any
+
+from .state import SYMBOLS, State
+
+__all__ = ["report_html"]
+
+_STYLE = """
+@page { size: A4; margin: 14mm; }
+body { font: 10.5pt/1.4 system-ui, "Noto Sans", "DejaVu Sans", sans-serif; color: #18202b;
+  max-width: 182mm; margin: 8mm auto; }
+h1 { font-size: 15pt; margin: 0 0 2mm; } h2 { font-size: 11.5pt; margin: 5mm 0 1mm; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+td { border-bottom: 0.2mm solid #d5dce4; padding: 0.6mm 2mm 0.6mm 0; }
+.two { display: grid; grid-template-columns: 1fr 1fr; gap: 0 8mm; }
+svg { width: 100%; height: auto; } .wide svg { max-height: 96mm; }
+footer { color: #4e5a69; font-size: 9pt; margin-top: 4mm; overflow-wrap: anywhere; }
+"""
+_NUMBERS = {
+    "buckling": "static buckling load p̄_cr",
+    "flutter": "flutter load, follower, at this spin",
+    "static_load": "static load p̄₀",
+    "fundamental": "natural frequency at rest ω_n",
+}
+_LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness")
+
+
+def _table(rows: Sequence[tuple[str, str]]) -> str:
+    cells = "".join(f"<tr><td>{escape(a)}</td><td>{escape(b)}</td></tr>" for a, b in rows)
+    return f"<table>{cells}</table>"
+
+
+def _shown(value: Any) -> str:
+    if value is None:
+        return "none"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def report_html(
+    state: State, numbers: Mapping[str, Any], words: str, pictures: Mapping[str, str], query: str
+) -> str:
+    """Return the report.
+
+    Parameters
+    ----------
+    state : State
+    numbers : mapping
+        Key numbers of the view.
+    words : str
+        The verdict.
+    pictures : mapping of str to str
+        SVG documents by title, the first one wide.
+    query : str
+        The view's address query.
+    """
+    settings = [
+        (f"{State.param[name].label} {SYMBOLS.get(name, '')}".strip(), _shown(value))
+        for name, value in state.inputs().items()
+        if not name.startswith(_LEFT_OUT)
+    ]
+    keys = [(words_, _shown(numbers[name])) for name, words_ in _NUMBERS.items()]
+    for name, (real, imaginary) in numbers["whirl"].items():
+        grows = f" {imaginary:+.6g}j" if abs(imaginary) > 1e-9 else ""
+        keys.append((f"whirl frequency {name}", f"{real:.6g}{grows}"))
+    drawn = [
+        f"<h2>{escape(title)}</h2>{svg[svg.index('<svg') :]}" for title, svg in pictures.items()
+    ]
+    half = "".join(f"<div>{one}</div>" for one in drawn[1:])
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head><meta charset="utf-8"><title>rotorstab report</title><style>{_STYLE}</style></head>
+<body>
+<h1>Parametric instability of a shaft–disk rotor</h1>
+<p>{escape(words)}</p>
+<div class="wide">{drawn[0]}</div>
+<div class="two">{half}</div>
+<div class="two">
+<div><h2>Parameters</h2>{_table(settings)}</div>
+<div><h2>Key numbers</h2>{_table(keys)}</div>
+</div>
+<footer>Non-dimensional: length L, bending stiffness EI and line mass ρA are 1. Floquet decides
+what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
+?{escape(query)}</footer>
+</body></html>
+"""
