@@ -12,15 +12,24 @@ a Floquet multiplier may pass through −1 and stay on the unit circle.
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import number, numbers
+from .checks import number, numbers, whole_number
 from .quartic import quadratic_roots, quartic_roots
 from .system import System
-from .whirl import mode_names, track, whirl_frequencies
+from .whirl import (
+    eigenvalues,
+    entries,
+    load_frequency_curves,
+    mixed,
+    mode_names,
+    one_speed,
+    track,
+)
 
 __all__ = [
     "BolotinChart",
@@ -32,9 +41,11 @@ __all__ = [
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+AnyArray = NDArray[np.float64] | NDArray[np.complex128]
 
 _REAL = 1e-7  # |Im λ|/|λ| below which a boundary counts as real: a double root's own error
 _GRADING = np.linspace(0.0, 1.0, 17)[1:-1] ** 2
+_PARTS = np.linspace(0.0, 1.0, 257)
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,83 +74,99 @@ def _plain_lumped(system: System) -> bool:
     """Whether (24) is the quartic of the paper: two degrees of freedom, only H₂₂."""
     if system.size != 2 or system.is_damped:
         return False
-    (h11, h12), (h21, _) = system.gyroscopic
-    (_, m12), (m21, _) = system.mass
-    return not any((h11, h12, h21, m12, m21))
+    h, m = entries(system.gyroscopic), entries(system.mass)
+    return not any((*h[:3], *m[1:3]))
 
 
-def _determinant(k: Array, m: Array) -> tuple[float, Array, Array]:
-    """Return the coefficients of det(K − λM), highest first, for diagonal M."""
-    k11, k22 = k[..., 0, 0], k[..., 1, 1]
-    linear = -m[1, 1] * k11 - m[0, 0] * k22
-    return m[0, 0] * m[1, 1], linear, k11 * k22 - k[..., 0, 1] * k[..., 1, 0]
+def _mean_and_half(
+    system: System, static_load: Array, pulsating_load: Array
+) -> tuple[Array, Array, Array]:
+    """Return K₀, B and y with K∓ = K₀ ∓ yB."""
+    if system.is_linear:
+        return system.load_stiffness(static_load), system.geometric, pulsating_load / 2
+    mean, first = system.load_harmonics(static_load, pulsating_load)
+    return mean, first, np.array(0.5)
 
 
-def _companion_squares(system: System, minus: Array, plus: Array, spin: Array) -> Complex:
-    """Return λ (..., 2n) by the quadratic eigenproblem in s = θ̄/2, for any system."""
-    n = system.size
-    inverse = np.linalg.inv(system.mass)
-    shape = np.broadcast_shapes(minus.shape, spin.shape)[:-2]
-    companion = np.zeros((*shape, 4 * n, 4 * n), np.result_type(minus, spin))
-    companion[..., : 2 * n, 2 * n :] = np.eye(2 * n)
-    companion[..., 2 * n : 3 * n, :n] = inverse @ minus
-    companion[..., 3 * n :, n : 2 * n] = inverse @ plus
-    companion[..., 2 * n : 3 * n, 3 * n :] = -inverse @ spin
-    companion[..., 3 * n :, 2 * n : 3 * n] = -inverse @ spin
-    # roots come as ±s, so every λ twice
-    return np.asarray(np.sort_complex(np.linalg.eigvals(companion) ** 2)[..., ::2])
-
-
-def _lumped_squares(system: System, minus: Array, plus: Array) -> Complex:
+def _lumped_squares(system: System, mean: Array, slope: Array, y: Array) -> Complex:
     """Return λ (..., 4) of the lumped model, Eq. (24) as a quartic."""
-    m = system.mass
-    a, b1, c1 = _determinant(minus, m)
-    a, b2, c2 = _determinant(plus, m)
+    m, k, b = entries(system.mass), entries(mean), entries(slope)
+    # det(K∓ − λM) = e₂λ² + e₁λ + e₀ ∓ (f₁λ + f₀)
+    e2, e1, e0 = mixed(m, m) / 2, -mixed(k, m), mixed(k, k) / 2 + y * y * (mixed(b, b) / 2)
+    f1, f0 = -y * mixed(b, m), y * mixed(k, b)
     gyroscopic = (system.spin_speed * system.gyroscopic[1, 1]) ** 2
-    if not np.any(gyroscopic):
-        # D₋ D₊ = 0: two quadratics whose roots cross freely, a column each
-        shape = (*np.broadcast_shapes(gyroscopic.shape, b1.shape), 2)
-        blocks = [np.sort_complex(quadratic_roots(a, b, c)) for b, c in ((b1, c1), (b2, c2))]
+    if not gyroscopic.any():
+        # two quadratics whose roots cross freely, a column each
+        blocks = quadratic_roots(e2, e1 - f1, e0 - f0), quadratic_roots(e2, e1 + f1, e0 + f0)
+        shape = (*np.broadcast_shapes(gyroscopic.shape, blocks[0].shape[:-1]), 2)
         return np.concatenate([np.broadcast_to(block, shape) for block in blocks], axis=-1)
-    # D₋ D₊ − λ Ω̄²Ī_P² a₋ a₊
-    k1, k2 = minus[..., 0, 0], plus[..., 0, 0]
+    # D₋D₊ − λ(Ω̄Ī_P)² a₋a₊ with a∓ = k₁₁ ∓ y b₁₁ − λM̄_D
     squares = quartic_roots(
-        a * a,
-        a * (b1 + b2) - gyroscopic * m[0, 0] ** 2,
-        a * (c1 + c2) + b1 * b2 + gyroscopic * m[0, 0] * (k1 + k2),
-        b1 * c2 + c1 * b2 - gyroscopic * k1 * k2,
-        c1 * c2,
+        e2 * e2,
+        2 * e2 * e1 - gyroscopic * m[0] ** 2,
+        e1 * e1 + 2 * e2 * e0 - f1 * f1 + gyroscopic * (2 * k[0] * m[0]),
+        2 * (e1 * e0 - f1 * f0) - gyroscopic * (k[0] ** 2 - (y * b[0]) ** 2),
+        (e0 - f0) * (e0 + f0),
     )
     # coefficients hold only half the digits of roots that nearly meet; matrices hold them all
-    near = (np.abs(np.diff(squares)) < 1e-4 * np.abs(squares[..., 1:])).any(axis=-1)
-    if near.any():
+    lower, upper = squares.real[..., :-1], squares.real[..., 1:]
+    close = upper - lower < 1e-4 * np.abs(upper)
+    if close.any():
+        near = close.any(axis=-1)
+        parts = mean - y[..., None, None] * slope, mean + y[..., None, None] * slope
         shape = (*near.shape, 2, 2)
-        squares[near] = _companion_squares(
-            system,
-            *(np.broadcast_to(x, shape)[near] for x in (minus, plus, system.spin_matrix())),
-        )
+        rows = [np.broadcast_to(part, shape)[near] for part in (*parts, system.spin_matrix())]
+        squares[near] = _matrix_squares(system, *rows)
     return squares
+
+
+def _matrix_squares(system: System, minus: AnyArray, plus: AnyArray, spin: AnyArray) -> Complex:
+    """Return λ (..., 2n) of any system by eigenvalues, λ = s² with b = s b′.
+
+    ([K₋, 0; −S, K₊] − λ [M, S; 0, M]) [a; b′] = 0, where S = jD.
+    """
+    n = system.size
+    inverse = np.linalg.inv(system.mass)
+    minus, plus, spin = inverse @ minus, inverse @ plus, inverse @ spin
+    if not np.any(spin):
+        blocks = [np.sort_complex(np.linalg.eigvals(block)) for block in (minus, plus)]
+        return np.concatenate(np.broadcast_arrays(*blocks), axis=-1)
+    shape = np.broadcast_shapes(minus.shape, spin.shape)[:-2]
+    matrix = np.empty((*shape, 2 * n, 2 * n), np.result_type(minus, spin))
+    matrix[..., :n, :n] = minus + spin @ spin
+    matrix[..., :n, n:] = -spin @ plus
+    matrix[..., n:, :n] = -spin
+    matrix[..., n:, n:] = plus
+    return np.asarray(np.sort_complex(np.linalg.eigvals(matrix)))
 
 
 def _squares(system: System, static_load: Array, pulsating_load: Array) -> Complex:
     """Return λ = θ̄²/4 (..., 2n) complex: every boundary, real or not."""
-    mean, first = system.load_harmonics(static_load, pulsating_load)
-    minus, plus = mean - first / 2, mean + first / 2
+    mean, slope, y = _mean_and_half(system, static_load, pulsating_load)
     if _plain_lumped(system):
-        return _lumped_squares(system, minus, plus)
-    # b → jb keeps an undamped system real
-    spin = 1j * system.damping() if system.is_damped else system.spin_matrix()
-    if system.internal_damping.any():
-        rotating = 1j * system.spin_speed[..., None, None] * system.internal_damping
-        minus, plus = minus - rotating, plus - rotating
-    return _companion_squares(system, minus, plus, spin)
+        return _lumped_squares(system, mean, slope, y)
+    half = y[..., None, None] * slope
+    if not system.is_damped:
+        # b → jb keeps an undamped system real
+        return _matrix_squares(system, mean - half, mean + half, system.spin_matrix())
+    rotating = 1j * system.spin_speed[..., None, None] * system.internal_damping
+    return _matrix_squares(
+        system, mean - half - rotating, mean + half - rotating, 1j * system.damping()
+    )
 
 
-def _real_frequency(squares: Complex) -> Array:
+def _real(squares: Complex) -> Array:
+    """Return the real λ, NaN for those that are not."""
+    real, imaginary = squares.real, squares.imag
+    if not imaginary.any():
+        return real
+    return np.where(np.abs(imaginary) <= _REAL * np.abs(real), real, np.nan)
+
+
+def _frequency(values: Array) -> Array:
     """Return θ̄ = 2√λ, NaN where λ is not real and positive."""
-    real = np.abs(squares.imag) <= _REAL * np.abs(squares)
     with np.errstate(invalid="ignore"):
-        return np.asarray(np.where(real, 2 * np.sqrt(squares.real), np.nan))
+        return np.asarray(2 * np.sqrt(values))
 
 
 def boundary_frequencies(
@@ -183,7 +210,7 @@ def boundary_frequencies(
         numbers("static_load", static_load),
         numbers("pulsating_load", pulsating_load),
     )
-    return np.sort(_real_frequency(_squares(system, static, pulsating)), axis=-1)
+    return np.sort(_frequency(_real(_squares(system, static, pulsating))), axis=-1)
 
 
 def in_bolotin_region(
@@ -226,9 +253,10 @@ def in_bolotin_region(
         numbers("static_load", static_load),
         numbers("pulsating_load", pulsating_load),
     )
-    mean, first = system.load_harmonics(static, pulsating)
+    mean, slope, y = _mean_and_half(system, static, pulsating)
+    shift = y[..., None, None] * slope
     inertia = half**2 * system.mass
-    minus, plus = mean - first / 2 - inertia, mean + first / 2 - inertia
+    minus, plus = mean - shift - inertia, mean + shift - inertia
     coupling = -half * system.spin_matrix()
     # Eq. (24) after b → jb
     minus, plus, coupling = np.broadcast_arrays(minus, plus, coupling)
@@ -279,83 +307,78 @@ def bolotin_mask(
 
 def _status(squares: Complex) -> NDArray[np.int64]:
     """Return per row how many λ are real, and how many of those are positive, in one code."""
-    real = np.abs(squares.imag) <= _REAL * np.abs(squares)
-    return np.asarray(real.sum(axis=1) * 100 + (real & (squares.real > 0)).sum(axis=1))
+    values = _real(squares)
+    if values.min() > 0:  # not so with a NaN
+        return np.full(len(values), 101 * values.shape[1])
+    return np.asarray((~np.isnan(values)).sum(axis=1) * 100 + (values > 0).sum(axis=1))
 
 
-def _rows(
-    system: System, static_load: float, largest: float, rows: int
-) -> tuple[Array, Complex, NDArray[np.int64]]:
-    """Return loads, their λ and status, with graded rows at every change of status."""
-    static = np.float64(static_load)
+def _rows(system: System, static: Array, largest: float, rows: int) -> tuple[Array, Complex]:
+    """Return loads and their λ, with graded rows at every change of status."""
     loads = np.linspace(0.0, largest, rows)
     squares = _squares(system, static, loads)
     status = _status(squares)
     changes = np.flatnonzero(status[1:] != status[:-1])
     if not changes.size:
-        return loads, squares, status
+        return loads, squares
     low, high = loads[changes], loads[changes + 1]
-    below = status[changes]
-    parts = np.linspace(0.0, 1.0, 18)
-    for _ in range(7):  # 17⁷: the step narrows to rounding
-        trial = low[:, None] + (high - low)[:, None] * parts
-        codes = _status(_squares(system, static, trial.ravel()).reshape(trial.size, -1))
-        codes = codes.reshape(trial.shape)
-        codes[:, 0], codes[:, -1] = below, -1
-        first = (codes != below[:, None]).argmax(axis=1)
-        index = np.arange(changes.size)
+    below = status[changes, None]
+    index = np.arange(changes.size)
+    for _ in range(3):  # the step narrows 256³ times
+        trial = low[:, None] + (high - low)[:, None] * _PARTS
+        codes = _status(_squares(system, static, trial.ravel())).reshape(trial.shape)
+        # the ends are known
+        first = (codes[:, 1:-1] != below).argmax(axis=1) + 1
+        first[(codes[:, 1:-1] == below).all(axis=1)] = _PARTS.size - 1
         low, high = trial[index, first - 1], trial[index, first]
     # θ̄ turns as a square root there: quadratic grading on both sides
-    left, right = loads[changes][:, None], loads[changes + 1][:, None]
+    left, right = loads[changes], loads[changes + 1]
     extra = np.concatenate(
         [
             low,
             high,
-            (low[:, None] - (low[:, None] - left) * _GRADING).ravel(),
-            (high[:, None] + (right - high[:, None]) * _GRADING).ravel(),
+            *(low - np.outer(_GRADING, low - left)),
+            *(high + np.outer(_GRADING, right - high)),
         ]
     )
-    extra = np.setdiff1d(extra, loads)
-    loads = np.concatenate([loads, extra])
-    squares = np.concatenate([squares, _squares(system, static, extra)])
-    order = np.argsort(loads)
-    squares = squares[order]
-    return loads[order], squares, _status(squares)
+    loads, kept = np.unique(np.concatenate([loads, extra]), return_index=True)
+    return loads, np.concatenate([squares, _squares(system, static, extra)])[kept]
 
 
-def _polygons(loads: Array, squares: Complex, status: NDArray[np.int64]) -> tuple[Array, ...]:
+def _polygons(loads: Array, values: Array) -> tuple[Array, ...]:
     """Return the polygons of {P < 0}: between the 1st and 2nd, 3rd and 4th … real root."""
-    real = np.abs(squares.imag) <= _REAL * np.abs(squares)
-    values = np.where(real, squares.real, np.inf)
-    frequency = 2 * np.sqrt(np.maximum(np.sort(values, axis=1), 0.0))
-    count = status // 100
+    values = np.sort(values, axis=1)  # NaN last
+    frequency = 2 * np.sqrt(np.maximum(values, 0.0))
+    count = (~np.isnan(values)).sum(axis=1)
     polygons = []
-    edges = np.flatnonzero(np.diff(count)) + 1
-    for rows in np.split(np.arange(loads.size), edges):
-        if rows.size < 2:
-            continue
-        y = loads[rows]
-        for k in range(0, int(count[rows[0]]) - 1, 2):
-            left, right = frequency[rows, k], frequency[rows, k + 1]
-            if right.max() > 0:
-                x = np.concatenate([left, right[::-1]])
-                polygons.append(np.column_stack([x, np.concatenate([y, y[::-1]])]))
+    edges = [0, *(np.flatnonzero(count[1:] != count[:-1]) + 1).tolist(), len(loads)]
+    for start, stop in itertools.pairwise(edges):
+        rows = stop - start
+        for k in range(0, int(count[start]) - 1, 2):
+            left, right = frequency[start:stop, k], frequency[start:stop, k + 1]
+            if rows > 1 and right.max() > 0:
+                polygon = np.empty((2 * rows, 2))
+                polygon[:rows, 0], polygon[rows:, 0] = left, right[::-1]
+                polygon[:rows, 1], polygon[rows:, 1] = loads[start:stop], loads[start:stop][::-1]
+                polygons.append(polygon)
     return tuple(polygons)
 
 
-def _boundary_names(system: System, static_load: float, squares: Complex) -> tuple[str, ...]:
-    """Name each column by the whirl mode whose 2|ω| it starts from."""
-    sorted_names = mode_names(system.size)
-    frequencies = whirl_frequencies(system, static_load)
+def _boundary_names(system: System, static: Array, squares: Complex) -> tuple[str, ...]:
+    """Name each column of λ (m, 2n) by the whirl mode whose ω² it starts from."""
+    frequencies, names = eigenvalues(system, static), mode_names(system.size)
+    if frequencies.imag.any() and not system.is_damped:
+        # past buckling or flutter a mode keeps the name it has at no load
+        curves = load_frequency_curves(system, static * np.linspace(0.0, 1.0, 200))
+        frequencies = curves.frequencies[-1]
+    starts = (frequencies**2).real.tolist()
+    scale = max(map(abs, starts))
     # 1B before 1F where both start from one point: the left boundary is the backward one
-    keys = [(round(abs(w), 9), name) for w, name in zip(frequencies, sorted_names, strict=True)]
-    by_size = [name for _, name in sorted(keys)]
+    by_start = sorted((round(x / scale, 9), name) for x, name in zip(starts, names, strict=True))
     # just above p̄_t = 0, where columns that start together have parted
-    order = np.argsort(squares[1].real, kind="stable")
-    names = [""] * len(by_size)
-    for column, name in zip(order, by_size, strict=True):
-        names[int(column)] = name
-    return tuple(names)
+    columns = np.argsort(squares[1].real, kind="stable").tolist()
+    named = {column: name for column, (_, name) in zip(columns, by_start, strict=True)}
+    return tuple(named[column] for column in range(len(named)))
 
 
 def bolotin_chart(
@@ -390,12 +413,12 @@ def bolotin_chart(
     >>> bolotin_chart(lumped(ShaftDisk(), 2.0), 0.0, 1.0).names
     ('1B', '1F', '2B', '2F')
     """
-    static = number("static_load", static_load)
+    static = np.array(number("static_load", static_load))
+    one_speed(system)
     largest = number("largest_pulsating_load", largest_pulsating_load, 0.0, open_low=True)
-    number("rows", rows, 8)
-    loads, squares, status = _rows(system, static, largest, rows)
+    loads, squares = _rows(system, static, largest, whole_number("rows", rows, 8, 100_000))
     names = _boundary_names(system, static, squares)
-    regions = _polygons(loads, squares, status)
-    if not (_plain_lumped(system) and not system.spin_matrix().any()):
+    regions = _polygons(loads, _real(squares))
+    if system.spin_matrix().any():
         squares = track(squares)
-    return BolotinChart(loads, _real_frequency(squares), names, regions)
+    return BolotinChart(loads, _frequency(_real(squares)), names, regions)

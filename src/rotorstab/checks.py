@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+import reprlib
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["choice", "number", "numbers"]
+__all__ = ["choice", "number", "numbers", "series", "whole_number"]
 
 
 def _interval(low: float, high: float, open_low: bool, open_high: bool) -> str:
@@ -15,6 +16,14 @@ def _interval(low: float, high: float, open_low: bool, open_high: bool) -> str:
     left = "(" if open_low or math.isinf(low) else "["
     right = ")" if open_high or math.isinf(high) else "]"
     return f"{left}{low:g}, {high:g}{right}"
+
+
+def _shown(value: object) -> str:
+    """Return a short text for any value."""
+    try:
+        return reprlib.repr(value)
+    except ValueError:  # an integer of thousands of digits
+        return "an integer too long to show"
 
 
 def numbers(
@@ -33,15 +42,21 @@ def numbers(
     ValueError
         With the argument's name, the allowed interval and the first offending value.
     """
-    interval = _interval(low, high, open_low, open_high)
-    array = np.asarray(value)
+    try:
+        array = np.asarray(value)
+    except ValueError:  # rows of different length
+        array = np.asarray(None)
     if array.dtype.kind not in "fiu":
-        raise ValueError(f"`{name}` must be a real number in {interval}, got {value!r}")
+        interval = _interval(low, high, open_low, open_high)
+        raise ValueError(f"`{name}` must be a real number in {interval}, got {_shown(value)}")
     array = array.astype(np.float64, copy=False)
-    below = array <= low if open_low else array < low
-    above = array >= high if open_high else array > high
-    wrong = below | above | ~np.isfinite(array)
+    wrong = ~np.isfinite(array)
+    if low > -math.inf:
+        wrong |= array <= low if open_low else array < low
+    if high < math.inf:
+        wrong |= array >= high if open_high else array > high
     if wrong.any():
+        interval = _interval(low, high, open_low, open_high)
         raise ValueError(f"`{name}` must be in {interval}, got {array[wrong].flat[0]:g}")
     return array
 
@@ -56,15 +71,33 @@ def number(
     open_high: bool = False,
 ) -> float:
     """Return `value` as one checked float; see `numbers`."""
+    if type(value) is float and low < value < high:
+        return value
     array = numbers(name, value, low, high, open_low=open_low, open_high=open_high)
     if array.ndim:
         raise ValueError(f"`{name}` must be a single number, got an array of shape {array.shape}")
     return float(array)
 
 
+def series(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Return `value` as a checked one-dimensional array, which may be empty."""
+    array = numbers(name, value)
+    if array.ndim != 1:
+        raise ValueError(f"`{name}` must be one-dimensional, got an array of shape {array.shape}")
+    return array
+
+
+def whole_number(name: str, value: int, low: int, high: int) -> int:
+    """Return `value` as a checked integer."""
+    checked = number(name, value, low, high)
+    if checked != int(checked):
+        raise ValueError(f"`{name}` must be a whole number in [{low}, {high}], got {checked:g}")
+    return int(checked)
+
+
 def choice(name: str, value: object, allowed: tuple[str, ...]) -> str:
     """Return `value` if it is one of the allowed words."""
     if not isinstance(value, str) or value not in allowed:
         words = ", ".join(repr(word) for word in allowed)
-        raise ValueError(f"`{name}` must be one of {words}, got {value!r}")
+        raise ValueError(f"`{name}` must be one of {words}, got {_shown(value)}")
     return value

@@ -1,119 +1,137 @@
 """Roots of many real quartics at once.
 
-NumPy solves one polynomial a call; a chart needs a thousand. Euler's resolvent in real
-arithmetic where all roots are real, in complex arithmetic elsewhere, then Newton steps.
+NumPy solves one polynomial a call; a chart needs a thousand. Each quartic is split into
+two real quadratics: all arithmetic is real, and complex roots are exact conjugates.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["quadratic_roots", "quartic_roots"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Mask = NDArray[np.bool_]
 
-_COSINE_SHIFTS = np.array([0.0, -2 * np.pi / 3, 2 * np.pi / 3])
-
-
-def quadratic_roots(a: Array | float, b: Array, c: Array) -> Complex:
-    """Return both roots (..., 2) of a x² + b x + c without cancellation, a ≠ 0.
-
-    A discriminant that is zero to rounding is taken as zero (a double root).
-    """
-    discriminant = b * b - 4 * a * c
-    noise = 4e-16 * (b * b + np.abs(4 * a * c))
-    root = np.sqrt(np.where(np.abs(discriminant) < noise, 0.0, discriminant) + 0j)
-    q = (b + np.where(b < 0, -root, root)) / -2
-    return np.stack([q / a, c / (q + (q == 0))], axis=-1)
+_TINY = 1e-300  # against 0/0 where the numerator is 0 too
+_DOUBLE = 1e-15  # a discriminant below 0 by less, relative to its terms, is a double root
+_STEPS = 3
+_SAFE = 1e-3
 
 
-def _resolvent(p: Array, q: Array, r: Array) -> tuple[Array, Array, Array]:
-    """Return P, Q of the depressed resolvent w³ + P w + Q and its discriminant."""
-    p2 = p * p
-    big_p = -p2 / 3 - 4 * r
-    big_q = p * (8 * r / 3 - 2 * p2 / 27) - q * q
-    return big_p, big_q, -4 * big_p * big_p * big_p - 27 * big_q * big_q
-
-
-def _combine(s1: NDArray, s2: NDArray, q: Array) -> NDArray:
-    """Return the four roots (4, ...) of y⁴ + p y² + q y + r from the resolvent's roots."""
-    product = s1 * s2
-    # the third root from s₁s₂s₃ = −q; where the product is 0 so is q
-    s3 = -q / (product + (product == 0))
-    total, difference = s1 + s2, s1 - s2
-    roots = np.array([s3 - total, -difference - s3, difference - s3, total + s3])
-    roots *= 0.5
+def _roots_of_factors(b: Array, c: Array) -> Complex:
+    """Return the roots (..., 2k) of k quadratics x² + bx + c (k, ...) together, sorted."""
+    half = -0.5 * b
+    square = half * half
+    discriminant = square - c
+    root = np.sqrt(np.abs(discriminant))
+    outer = half + np.copysign(root, half)
+    # the other root from the product: no cancellation
+    inner = c / (outer + (outer == 0))
+    pair = discriminant < -_DOUBLE * square
+    count = len(b)
+    roots = np.zeros((*b.shape[1:], 2 * count), np.complex128)
+    if pair.any():
+        outer, inner = np.where(pair, half, outer), np.where(pair, half, inner)
+        root *= pair
+        for k in range(count):
+            roots.imag[..., k] = root[k]
+            np.subtract(0.0, root[k], out=roots.imag[..., k + count])
+    for k in range(count):
+        roots.real[..., k], roots.real[..., k + count] = outer[k], inner[k]
+    roots.sort(axis=-1)
     return roots
 
 
-def _complex_roots(p: Array, q: Array, r: Array) -> Complex:
-    """Solve y⁴ + p y² + q y + r where some roots are not real."""
-    big_p, big_q, discriminant = _resolvent(p, q, r)
-    w = np.empty((*p.shape, 3), np.complex128)
-    three = discriminant >= 0
-    if three.any():
-        amplitude = np.sqrt(np.maximum(-big_p[three] / 3, 0.0))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            cosine = np.where(amplitude > 0, -big_q[three] / (2 * amplitude**3), 1.0)
-        angle = np.arccos(np.clip(cosine, -1, 1)) / 3
-        w[three] = 2 * amplitude[..., None] * np.cos(angle[..., None] + _COSINE_SHIFTS)
-    one = ~three
-    if one.any():
-        half = big_q[one] / 2
-        root = np.sqrt(np.maximum(half**2 + big_p[one] ** 3 / 27, 0.0))
-        a = -np.copysign(np.cbrt(np.abs(half) + root), half)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            b = np.where(a == 0, 0.0, -big_p[one] / (3 * a))
-        imaginary = 1j * np.sqrt(3) / 2 * (a - b)
-        w[one] = np.stack([a + b, -(a + b) / 2 + imaginary, -(a + b) / 2 - imaginary], axis=-1)
-    z = w - 2 * p[..., None] / 3
-    # the two largest, so that the third follows from the product without cancellation
-    order = np.argsort(-np.abs(z), axis=-1)
-    s = np.sqrt(np.take_along_axis(z, order[..., :2], axis=-1))
-    return _combine(s[..., 0], s[..., 1], q)
+def quadratic_roots(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Complex:
+    """Return both roots (..., 2) of a x² + b x + c, a ≠ 0, sorted by real, then imaginary part.
+
+    A discriminant that is below zero by rounding is taken as zero (a double root).
+    """
+    b, c = np.broadcast_arrays(np.divide(b, a), np.divide(c, a))
+    return _roots_of_factors(b[None], c[None])
 
 
-def _real_roots(p: Array, q: Array, big_p: Array, big_q: Array) -> Array:
-    """Solve y⁴ + p y² + q y + r where all roots are real."""
-    half = np.sqrt(big_p / -3)
-    amplitude = 2 * half
-    angle = np.arccos(np.clip(big_q / (amplitude * big_p / 3), -1, 1)) / 3
-    base = p * (-2 / 3)
-    s1 = np.sqrt(base + amplitude * np.cos(angle))
-    second = base + amplitude * np.cos(angle - 2 * np.pi / 3)
-    return _combine(s1, np.sqrt(np.maximum(second, 0.0)), q)
+def _split(p: Array, q: Array, r: Array) -> tuple[Array, Array, Array]:
+    """Return s, t and p + s² of y⁴ + py² + qy + r = Π (y² ± sy + (p + s² ∓ t)/2).
+
+    z = s² is a root of Euler's resolvent z³ + 2pz² + (p² − 4r)z − q². Its isolated root is
+    taken, for then a double root of the quartic falls inside one factor.
+    """
+    # with w = 3z/2 + p: 4w³ − 3mw − n = 0
+    p2, r4 = p * p, 4 * r
+    r12 = 3 * r4
+    m = p2 + r12
+    n = 13.5 * (q * q) - p * (3 * r12 - p2)
+    size = np.abs(n)
+    root = np.sqrt(np.maximum(m, 0.0))
+    cube = m * root
+    angle = np.arccos(np.minimum(size, cube) / (cube + _TINY)) / 3
+    w = root * np.cos(angle)
+    single = size > cube
+    if single.any():
+        a = np.cbrt(size + np.sqrt(np.abs(size * size - m * m * m)))
+        np.copyto(w, 0.5 * (a + m / (a + _TINY)), where=single)
+    z = (np.copysign(w, n) - p) * (2 / 3)
+    if z.min(initial=0.0) < 0:
+        # with four complex roots the two others are of unlike sign: take the positive one
+        four = (z < 0) & ~single & ((p >= 0) | (r4 >= p2))
+        total, product = -2 * p - z, q * q / (z - (z == 0))
+        root = np.sqrt(np.maximum(total * total - 4 * product, 0.0))
+        far = np.abs(total) + root
+        np.copyto(z, np.where(total > 0, far / 2, -2 * product / (far + (far == 0))), where=four)
+        np.maximum(z, 0.0, out=z)
+    # st = q, and t² is the product of the other two z: the root that is not lost in p
+    sum_p = p + z
+    t2 = sum_p * sum_p - r4
+    by_s = z * z >= t2
+    larger = np.sqrt(np.where(by_s, z, t2))
+    other = q / (larger + (larger == 0))
+    return np.where(by_s, larger, other), np.where(by_s, other, larger), sum_p
 
 
-def _newton(x: NDArray, c3: Array, c2: Array, c1: Array, c0: Array) -> NDArray:
-    """Polish roots x (4, ...) of the monic quartic by two Newton steps."""
-    d3, d2 = 3 * c3, 2 * c2
-    for _ in range(2):
-        value = x + c3
-        slope = 4 * x
-        slope += d3
-        for c, d in ((c2, d2), (c1, c1)):
-            value *= x
-            value += c
-            slope *= x
-            slope += d
-        value *= x
-        value += c0
-        value /= slope
-        # near a double root the quotient is noise: no step that is not small
-        value[~(np.abs(value) <= 1e-5 * np.abs(x))] = 0
-        x = x - value
-    return x
+def _polish(a: Array, b: Array, c3: Array, c2: Array, c1: Array, c0: Array) -> Mask:
+    """Improve the factors x² + ax + b (2, ...) in place by Bairstow's steps; return success."""
+    for _ in range(_STEPS):
+        # quotient x² + ex + f and remainder r1 x + r0
+        e = c3 - a
+        f = c2 - a * e - b
+        r1 = c1 - a * f - b * e
+        r0 = c0 - b * f
+        m, n = e - a, f - b
+        bm, k = b * m, n - a * m
+        resultant = n * k + bm * m
+        da = (n * r1 - m * r0) / resultant
+        db = (k * r0 + bm * r1) / resultant
+        size = np.abs(b)
+        # so small that the next step would be rounding
+        good = (np.abs(db) <= 1e-8 * size) & (da * da <= 1e-16 * (a * a + size))
+        a += da
+        b += db
+        if good.all():
+            break
+    return good
 
 
-def quartic_roots(c4: Array, c3: Array, c2: Array, c1: Array, c0: Array) -> Complex:
+def _companion_roots(c3: Array, c2: Array, c1: Array, c0: Array) -> Complex:
+    """Return the roots (k, 4) of k monic quartics by LAPACK, which balances them."""
+    companion = np.zeros((c0.size, 4, 4))
+    companion[:, [1, 2, 3], [0, 1, 2]] = 1
+    companion[:, 0] = -np.stack([c3, c2, c1, c0], axis=-1)
+    return np.linalg.eigvals(companion).astype(np.complex128)
+
+
+def quartic_roots(
+    c4: ArrayLike, c3: ArrayLike, c2: ArrayLike, c1: ArrayLike, c0: ArrayLike
+) -> Complex:
     """Return the roots of c₄x⁴ + c₃x³ + c₂x² + c₁x + c₀, sorted by real part.
 
     Parameters
     ----------
     c4, c3, c2, c1, c0 : (...) float
-        Real coefficients that broadcast together, c4 ≠ 0.
+        Real coefficients that broadcast together, c4 ≠ 0, ratios to c4 up to 1e24.
 
     Returns
     -------
@@ -127,39 +145,42 @@ def quartic_roots(c4: Array, c3: Array, c2: Array, c1: Array, c0: Array) -> Comp
 
     References
     ----------
-    Euler's solution with the trigonometric form of the resolvent's roots.
+    Euler's resolvent, its isolated root by Viète's or Cardano's formula; Bairstow's step.
 
     Examples
     --------
-    >>> one = np.ones(1)
-    >>> quartic_roots(one, 0 * one, -5 * one, 0 * one, 4 * one)[0].real.tolist()
+    >>> quartic_roots(1.0, 0.0, -5.0, 0.0, 4.0).real.tolist()
     [-2.0, -1.0, 1.0, 2.0]
     """
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        monic = np.broadcast_arrays(c3 / c4, c2 / c4, c1 / c4, c0 / c4)
-        shape = monic[0].shape
-        return _solve(*(c.ravel() for c in monic)).reshape(*shape, 4)
-
-
-def _solve(c3: Array, c2: Array, c1: Array, c0: Array) -> Complex:
-    """Solve the monic quartics."""
-    shift = c3 / 4
-    s2 = shift * shift
-    p = c2 - 6 * s2
-    q = c1 + shift * (8 * s2 - 2 * c2)
-    r = c0 + shift * (shift * (c2 - 3 * s2) - c1)
-    big_p, big_q, discriminant = _resolvent(p, q, r)
-    # all four roots are real only here
-    real = (discriminant > 0) & (p < 0) & (4 * r < p * p)
-    if real.all():
-        roots = _real_roots(p, q, big_p, big_q) - shift
-        return np.sort(_newton(roots, c3, c2, c1, c0), axis=0).T.astype(np.complex128)
-    roots = np.empty((4, *p.shape), np.complex128)
-    if real.any():
-        roots[:, real] = _real_roots(p[real], q[real], big_p[real], big_q[real])
-    rest = ~real
-    roots[:, rest] = _complex_roots(p[rest], q[rest], r[rest])
-    roots = _newton(roots - shift, c3, c2, c1, c0)
-    noise = np.abs(roots.imag) <= 2e-8 * np.abs(roots).max(axis=0)
-    roots.imag[noise] = 0
-    return np.sort(roots, axis=0).T
+    c3, c2, c1, c0 = (np.divide(c, c4) for c in (c3, c2, c1, c0))
+    shape = np.broadcast(c3, c2, c1, c0).shape
+    if not shape:
+        c0 = np.reshape(c0, 1)
+    # y = x + c₃/4
+    h = 0.25 * c3
+    hh = h * h
+    p = c2 - 6 * hh
+    q = c1 - 2 * h * (p + 2 * hh)
+    r = c0 - h * (c1 - h * (p + 3 * hh))
+    s, t, sum_p = _split(p, q, r)
+    a = np.empty((2, *s.shape))
+    b = np.empty((2, *s.shape))
+    np.add(h, s, out=a[0])
+    np.subtract(h, s, out=a[1])
+    np.subtract(sum_p, t, out=b[0])
+    np.add(sum_p, t, out=b[1])
+    b *= 0.5
+    b += h * a
+    a += h
+    # b has lost the digits by which it is smaller than what it was computed from
+    good: Mask = np.asarray(np.abs(b) > _SAFE * (hh + s * s + np.abs(t)))
+    if not good.all():
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+            good = _polish(a, b, c3, c2, c1, c0)
+    roots = _roots_of_factors(a, b)
+    if not good.all():
+        # roots of very different size, or three that nearly meet
+        bad = ~good.all(axis=0)
+        rest = (np.broadcast_to(c, bad.shape)[bad] for c in (c3, c2, c1, c0))
+        roots[bad] = np.sort(_companion_roots(*rest))
+    return roots.reshape(*shape, 4)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import numbers
 
-__all__ = ["exact_stiffness", "largest_exact_load", "linear_stiffness"]
+__all__ = ["exact_stiffness", "largest_exact_load", "linear_stiffness", "refuse_poles"]
 
 Array = NDArray[np.float64]
 
@@ -25,6 +25,7 @@ _G = _SIGNS * 2 * _ORDERS / np.array([math.factorial(2 * n + 1) for n in _ORDERS
 _D = _SIGNS * 2 * _ORDERS / np.array([math.factorial(2 * n + 2) for n in _ORDERS])
 _S = _SIGNS / np.array([math.factorial(2 * n - 1) for n in _ORDERS])
 _C = _SIGNS / np.array([math.factorial(2 * n) for n in _ORDERS])
+_SERIES = np.column_stack([_S, _C, _G, _D])
 
 
 def _matrix(k11: ArrayLike, k12: ArrayLike, k21: ArrayLike, k22: ArrayLike) -> Array:
@@ -54,9 +55,22 @@ def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:
     c = (one - cosine) / far
     g = (s - cosine) / far
     d = (2 * c - s) / far
-    series = [np.polynomial.polynomial.polyval(near, a) for a in (_S, _C, _G, _D)]
-    s, c, g, d = (np.where(small, a, b) for a, b in zip(series, (s, c, g, d), strict=True))
+    # one product for the four series
+    powers = np.vander(near.ravel(), len(_ORDERS), increasing=True)
+    series = (powers @ _SERIES).T.reshape(4, *x.shape)
+    s, c, g, d = np.where(small, series, [s, c, g, d])
     return s, c, g, d
+
+
+def refuse_poles(load: ArrayLike, shear: ArrayLike) -> None:
+    """Raise ValueError if a load is at or past the pole of the exact stiffness."""
+    bad, limit = np.broadcast_arrays(load, largest_exact_load(shear))
+    past = bad >= limit
+    if past.any():
+        raise ValueError(
+            f"`load` must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
+            f"at this shear, got {bad[past].flat[0]:g}"
+        )
 
 
 def largest_exact_load(shear: ArrayLike) -> Array:
@@ -112,14 +126,7 @@ def exact_stiffness(load: ArrayLike, shear: ArrayLike, tangency: ArrayLike = 0.0
     load = numbers("load", load)
     shear = numbers("shear", shear, 0.0, 1.0, open_high=True)
     tangency = numbers("tangency", tangency, 0.0, 1.0)
-    pole = largest_exact_load(shear)
-    past = load >= pole
-    if past.any():
-        bad, limit = np.broadcast_arrays(load, pole)
-        raise ValueError(
-            f"`load` must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
-            f"at this shear, got {bad[past].flat[0]:g}"
-        )
+    refuse_poles(load, shear)
     s, c, g, d = _entire_functions(np.asarray(load / (1 - shear * load)))
     e = d + 2 * shear * c
     k12 = -c / e

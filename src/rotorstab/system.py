@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,11 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import choice, number, numbers
 from .rotor import ShaftDisk
-from .stiffness import exact_stiffness, linear_stiffness
+from .stiffness import exact_stiffness, largest_exact_load, linear_stiffness, refuse_poles
 
 __all__ = ["System", "fundamental_frequency", "lumped"]
 
 Array = NDArray[np.float64]
+
+_DIGITS = 37.0  # −ln of rounding
+_MOST_POINTS = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,9 +66,11 @@ class System:
             "geometric",
             "spin_speed",
         ):
-            array = np.array(getattr(self, name), dtype=np.float64)
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
+            array = getattr(self, name)
+            if array.flags.writeable or array.base is not None or array.dtype != np.float64:
+                array = np.array(array, dtype=np.float64)
+                array.flags.writeable = False
+                object.__setattr__(self, name, array)
 
     @property
     def size(self) -> int:
@@ -148,7 +154,8 @@ class System:
         -------
         list of (..., n, n) float
             Exact for the linear law (K₂ and higher are 0); for the exact law the
-            Chebyshev coefficients by a 32-point cosine sum.
+            Chebyshev coefficients by a cosine sum, to rounding unless the peak load is
+            within 1e-5 of the pole.
         """
         static, pulsating = np.broadcast_arrays(
             numbers("static_load", static_load), numbers("pulsating_load", pulsating_load)
@@ -157,12 +164,20 @@ class System:
             zero = np.zeros((*static.shape, self.size, self.size))
             first = pulsating[..., None, None] * self.geometric
             return [self.load_stiffness(static), first, *[zero] * (count - 1)][: count + 1]
-        points = max(32, 4 * count)
+        # the aliasing error falls as ρ^(count − 2 points), ρ from the distance to the pole
+        peak, size = np.asarray(static + np.abs(pulsating)), np.abs(pulsating)
+        refuse_poles(peak, self.exact_shear or 0.0)
+        room = largest_exact_load(self.exact_shear or 0.0) - peak
+        ratio = float(np.min(room / np.maximum(size, 1e-9 * room), initial=np.inf))
+        rate = math.log1p(ratio + math.sqrt(ratio * (ratio + 2)))
+        points = min(math.ceil((count + _DIGITS / rate) / 2) + 1, _MOST_POINTS)
         phase = (np.arange(points) + 0.5) * np.pi / points
         samples = self.load_stiffness(static[..., None] + pulsating[..., None] * np.cos(phase))
         weights = np.cos(np.outer(np.arange(count + 1), phase)) * 2 / points
         weights[0] /= 2
-        return list(np.moveaxis(np.einsum("mp,...pij->...mij", weights, samples), -3, 0))
+        flat = samples.reshape(*static.shape, points, self.size**2)
+        harmonics = (weights @ flat).reshape(*static.shape, count + 1, self.size, self.size)
+        return list(np.moveaxis(harmonics, -3, 0))
 
 
 def fundamental_frequency(system: System) -> float:

@@ -8,12 +8,14 @@ by |ω| within each direction, at no load).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.linalg import eigvals
 from scipy.optimize import linear_sum_assignment
 
-from .checks import numbers
+from .checks import number, numbers, series
 from .quartic import quartic_roots
 from .system import System
 
@@ -77,35 +79,67 @@ def mode_names(size: int) -> tuple[str, ...]:
     return (*backward, *(f"{number}F" for number in range(1, size + 1)))
 
 
-def _mixed(a: Array, b: Array) -> Array:
-    """Return the coefficient of t in det(a + tb) for 2 × 2 matrices."""
-    return np.asarray(
-        a[..., 0, 0] * b[..., 1, 1]
-        + b[..., 0, 0] * a[..., 1, 1]
-        - a[..., 0, 1] * b[..., 1, 0]
-        - b[..., 0, 1] * a[..., 1, 0]
-    )
+def one_speed(system: System) -> float:
+    """Return the spin speed of a system that must have a single one."""
+    if system.spin_speed.ndim:
+        shape = system.spin_speed.shape
+        raise ValueError(f"`system` must have a single spin speed, got an array of shape {shape}")
+    return float(system.spin_speed)
+
+
+def entries(matrix: Array) -> tuple[Any, ...]:
+    """Return the four entries of 2 × 2 matrices, as plain numbers for a single one."""
+    if matrix.ndim == 2:
+        return tuple(matrix.ravel().tolist())
+    return tuple(matrix[..., i, j] for i in range(2) for j in range(2))
+
+
+def mixed(a: tuple[Any, ...], b: tuple[Any, ...]) -> Any:
+    """Return the coefficient of t in det(a + tb) for the `entries` of 2 × 2 matrices.
+
+    Examples
+    --------
+    >>> mixed((1.0, 0.0, 0.0, 1.0), (2.0, 0.0, 0.0, 3.0))
+    5.0
+    """
+    return a[0] * b[3] + b[0] * a[3] - a[1] * b[2] - b[1] * a[2]
 
 
 def _two_degrees(system: System, load: Array) -> Complex:
     """Return the roots of det[K(p̄) + ωΩ̄H − ω²M], a real quartic in ω."""
-    m, h, spin = system.mass, system.gyroscopic, system.spin_speed
+    m, h, spin = entries(system.mass), entries(system.gyroscopic), system.spin_speed
     if system.is_linear:
-        # scalars first: det(Ka + p̄Kb) and its like are short polynomials in p̄
-        a, b = system.elastic, system.geometric
-        with_m = _mixed(a, m) + load * _mixed(b, m)
-        with_h = _mixed(a, h) + load * _mixed(b, h)
-        determinant = (load * _mixed(b, b) / 2 + _mixed(a, b)) * load + _mixed(a, a) / 2
+        # det(Ka + p̄Kb) and its like are short polynomials in p̄
+        a, b = entries(system.elastic), entries(system.geometric)
+        with_m = mixed(a, m) + load * mixed(b, m)
+        with_h = mixed(a, h) + load * mixed(b, h)
+        determinant = (load * (mixed(b, b) / 2) + mixed(a, b)) * load + mixed(a, a) / 2
     else:
-        k = system.load_stiffness(load)
-        with_m, with_h, determinant = _mixed(k, m), _mixed(k, h), _mixed(k, k) / 2
+        k = entries(system.load_stiffness(load))
+        with_m, with_h, determinant = mixed(k, m), mixed(k, h), mixed(k, k) / 2
     return quartic_roots(
-        _mixed(m, m) / 2,
-        -spin * _mixed(h, m),
-        spin**2 * (_mixed(h, h) / 2) - with_m,
+        mixed(m, m) / 2,
+        -spin * mixed(h, m),
+        spin**2 * (mixed(h, h) / 2) - with_m,
         spin * with_h,
         determinant,
     )
+
+
+def eigenvalues(system: System, load: Array) -> Complex:
+    """Return the roots ω (..., 2n) of any system as eigenvalues; see `whirl_frequencies`."""
+    # ω²q = M⁻¹Kq + ωM⁻¹(jD)q, companion form in (q, ωq); real where undamped
+    size = system.size
+    spin = 1j * system.damping() if system.is_damped else system.spin_matrix()
+    inverse = np.linalg.inv(system.mass)
+    lower = inverse @ system.stiffness(load)
+    spin = inverse @ spin
+    shape = np.broadcast_shapes(lower.shape, spin.shape)
+    companion = np.zeros((*shape[:-2], 2 * size, 2 * size), np.result_type(lower, spin))
+    companion[..., :size, size:] = np.eye(size)
+    companion[..., size:, :size] = lower
+    companion[..., size:, size:] = spin
+    return np.asarray(np.sort_complex(np.linalg.eigvals(companion)))
 
 
 def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
@@ -139,61 +173,52 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     [-1.9348, -0.4041, 0.9092, 3.4297]
     """
     load = numbers("load", load)
-    size = system.size
-    if size == 2 and not system.is_damped:
+    if system.size == 2 and not system.is_damped:
         return _two_degrees(system, load)
-    # ω²q = M⁻¹Kq + ωM⁻¹(jD)q, companion form in (q, ωq); real where undamped
-    spin = 1j * system.damping() if system.is_damped else system.spin_matrix()
-    inverse = np.linalg.inv(system.mass)
-    lower = inverse @ system.stiffness(load)
-    spin = inverse @ spin
-    shape = np.broadcast_shapes(lower.shape, spin.shape)
-    companion = np.zeros((*shape[:-2], 2 * size, 2 * size), np.result_type(lower, spin))
-    companion[..., :size, size:] = np.eye(size)
-    companion[..., size:, :size] = lower
-    companion[..., size:, size:] = spin
-    return np.sort_complex(np.linalg.eigvals(companion))
+    return eigenvalues(system, load)
 
 
-def track(rows: Complex) -> Complex:
+def track(rows: Complex, start: int = 0) -> Complex:
     """Reorder each row so that every column is continuous.
 
     Parameters
     ----------
     rows : (m, k) complex
         Each row sorted by real part; neighbours belong to neighbouring parameters.
+    start : int
+        Row whose order is kept.
 
     Returns
     -------
     (m, k) complex
-        Columns in the order of the first row.
 
     Notes
     -----
     Real roots of one family do not cross, they veer or merge, so where both neighbours
     are real the sorted order is the continuous one. Only where a complex pair passes
-    another root must entries change places; those steps are found at once.
+    another root must entries change places.
     """
-    before, after = rows[:-1], rows[1:]
+    if not rows.imag.any():
+        return rows
+    pair = np.ascontiguousarray(rows.imag.T) != 0  # a row for each column
+    some = pair.any(axis=0)
+    moved = (pair[:, 1:] != pair[:, :-1]).any(axis=0) | pair[:, 1:].all(axis=0)
+    steps = np.flatnonzero(some[1:] & some[:-1] & moved)
+    if not steps.size:
+        return rows
+    before, after = rows[steps], rows[steps + 1]
     kept = np.abs(after - before) ** 2
     swapped = (
         np.abs(after[:, 1:] - before[:, :-1]) ** 2 + np.abs(after[:, :-1] - before[:, 1:]) ** 2
     )
-    wrong = (swapped < kept[:, 1:] + kept[:, :-1]).any(axis=1)
-    result = rows.copy()
-    order = np.arange(rows.shape[1])
-    for index in np.flatnonzero(wrong):
-        cost = np.abs(rows[index][:, None] - rows[index + 1][None, :]) ** 2
-        order = linear_sum_assignment(cost)[1][order]
-        result[index + 1 :] = rows[index + 1 :, order]
-    return result
-
-
-def _track_from(rows: Complex, start: int) -> Complex:
-    """Track both ways from row `start`, whose sorted order names the columns."""
-    if not np.abs(rows.imag).any():
+    steps = steps[(swapped < kept[:, 1:] + kept[:, :-1]).any(axis=1)]
+    if not steps.size:
         return rows
-    return np.concatenate([track(rows[start::-1])[:0:-1], track(rows[start:])])
+    orders = np.tile(np.arange(rows.shape[1]), (len(rows), 1))
+    for step in steps:
+        cost = np.abs(rows[step][:, None] - rows[step + 1]) ** 2
+        orders[step + 1 :] = linear_sum_assignment(cost)[1][orders[step]]
+    return np.take_along_axis(rows, orders, axis=1)[:, np.argsort(orders[start])]
 
 
 def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
@@ -216,10 +241,11 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
     ValueError
         If the loads are not finite, or past the pole of the exact stiffness.
     """
-    loads = numbers("loads", loads)
-    start = int(np.abs(loads).argmin())
-    rows = whirl_frequencies(system, loads)
-    return WhirlCurves(loads, _track_from(rows, start), mode_names(system.size))
+    loads = series("loads", loads)
+    one_speed(system)
+    start = int(np.abs(loads).argmin()) if loads.size else 0
+    rows = track(whirl_frequencies(system, loads), start)
+    return WhirlCurves(loads, rows, mode_names(system.size))
 
 
 def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) -> WhirlCurves:
@@ -243,10 +269,9 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
     ValueError
         If an argument is not finite.
     """
-    rows = whirl_frequencies(system.at_speed(spin_speeds), load)
-    return WhirlCurves(
-        numbers("spin_speeds", spin_speeds), _track_from(rows, 0), mode_names(system.size)
-    )
+    speeds = series("spin_speeds", spin_speeds)
+    rows = whirl_frequencies(system.at_speed(speeds), number("load", load))
+    return WhirlCurves(speeds, track(rows), mode_names(system.size))
 
 
 def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
@@ -269,13 +294,17 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
     whose positive real eigenvalues are Ω̄². A disk with Ī_P > Ī_D has no forward
     critical speed of its second mode.
     """
-    stiffness = system.load_stiffness(load)
+    stiffness = system.load_stiffness(number("load", load))
 
     def speeds(inertia: Array) -> Array:
         # eigenvalues 1/Ω̄², so that a singular M ∓ H gives 0 and not infinity
-        inverse_squares = np.linalg.eigvals(np.linalg.solve(stiffness, inertia))
-        real = np.abs(inverse_squares.imag) <= 1e-9 * np.abs(inverse_squares)
-        squares = inverse_squares.real[real & (inverse_squares.real > 1e-12)]
+        inverse_squares = eigvals(inertia, stiffness, check_finite=False)
+        with np.errstate(invalid="ignore"):
+            size = np.abs(inverse_squares)
+            real = np.abs(inverse_squares.imag) <= 1e-9 * size
+        squares = inverse_squares.real[
+            real & (inverse_squares.real > 1e-12 * size[np.isfinite(size)].max(initial=0.0))
+        ]
         return np.sort(1 / np.sqrt(squares))
 
     return CriticalSpeeds(
