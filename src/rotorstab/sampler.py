@@ -221,7 +221,12 @@ class ChartSampler:
         return np.asarray(error + rows * (periods / plan.high) ** 4)
 
     def growth(
-        self, panel: int, functions: NDArray[Any], loads: Array, periods: Array
+        self,
+        panel: int,
+        functions: NDArray[Any],
+        loads: Array,
+        periods: Array,
+        nearness: bool = False,
     ) -> tuple[Array, Array, Array]:
         """Return growth rates, error bounds and the approach to a collision.
 
@@ -232,11 +237,13 @@ class ChartSampler:
             From `evaluate` or `scattered`.
         loads, periods : (...) float
             Broadcast to the functions' shape.
+        nearness : bool
+            Whether to fill `approach`.
 
         Returns
         -------
         growth, error, approach : (...) float
-            `approach` as in `self_inversive_growth`, NaN where there is no closed form for it.
+            `approach` as in `self_inversive_growth`, NaN if damped or without a closed form.
         """
         error = self.coefficient_error(panel, loads, periods)
         if not self.closed_form:
@@ -247,7 +254,7 @@ class ChartSampler:
             growth = growth - self.drift.imag * periods
             approach = np.full_like(growth, np.nan)
         else:
-            growth, slack, approach = self_inversive_growth(functions, error)
+            growth, slack, approach = self_inversive_growth(functions, error, nearness)
         return growth / periods, slack / periods, approach
 
     def _matrix_growth(

@@ -24,9 +24,11 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+Measure = Callable[[Array, Array], Array]
 
 _LEVELS = 12  # loads at which tongues are followed from their root
-_DRIFT = 0.25  # of θ̄: a centre that moves farther has been lost
+_DRIFT = 0.05  # of θ̄: a centre that moves farther in one step has been lost
+_FAR = 0.5  # of its root: a centre farther off has been lost
 _EDGE = 1e-9  # wanted on an edge, relative to θ̄
 _ROUNDS = 40
 _MARCH = (0.6, *np.arange(0.8, 1.3, 0.05), *np.arange(1.3, 2.5, 0.1))  # of the half-width
@@ -91,12 +93,12 @@ def collision(
 
 
 def _vertex(
-    system: System, static: float, load: Array, guess: Array, reach: Array
+    measure: Measure, load: Array, guess: Array, reach: Array
 ) -> tuple[Array, Array, Array]:
     """Return centre, height and curvature of parabolas through three points around guesses."""
     offsets = np.array([-1.0, 0.0, 1.0])
     points = guess[..., None] + reach[..., None] * offsets
-    height, _ = collision(system, static, load[..., None], points)
+    height = measure(np.broadcast_to(load[..., None], points.shape), points)
     slope = (height[..., 2] - height[..., 0]) / 2
     bend = height[..., 2] - 2 * height[..., 1] + height[..., 0]
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -106,9 +108,7 @@ def _vertex(
     return guess + shift * reach, top, -bend / reach**2
 
 
-def _follow(
-    system: System, static: float, levels: Array, rows: tuple[Resonance, ...]
-) -> tuple[Array, Array]:
+def _follow(measure: Measure, levels: Array, rows: tuple[Resonance, ...]) -> tuple[Array, Array]:
     """Return centres and first-guess half-widths (K, levels), NaN once a tongue is lost."""
     roots = np.array([row.centre for row in rows])
     strength = np.array([2 * row.growth_per_load for row in rows])
@@ -124,13 +124,14 @@ def _follow(
             for a in squares[recent]
         ]
         guess = np.tensordot(weights, np.array(path[recent]), 1)
+        guess = np.where(np.abs(guess - roots) < _FAR * roots, guess, roots)
         load = np.full(len(rows), level)
         reach = np.maximum(2 * strength * level, 1e-3 * roots)
         reach = np.minimum(reach, 0.02 * roots)
         for shrink in (1.0, 0.5, 0.25):
-            new, top, bend = _vertex(system, static, load, guess, shrink * reach)
-            guess = np.where(np.abs(new - guess) <= _DRIFT * roots, new, np.nan)
-            guess = np.where(guess > 0.1 * roots, guess, np.nan)
+            new, top, bend = _vertex(measure, load, guess, shrink * reach)
+            near = np.abs(new - guess) <= _DRIFT * roots
+            guess = np.where(near & (np.abs(new - roots) < _FAR * roots), new, np.nan)
             # a lost tongue still needs a number to be evaluated at
             safe = np.where(np.isnan(guess), roots, guess)
             lost, guess = np.isnan(guess), safe
@@ -145,8 +146,7 @@ def _follow(
 
 
 def _polish(
-    system: System,
-    static: float,
+    measure: Measure,
     loads: Array,
     levels: Array,
     rows: tuple[Resonance, ...],
@@ -167,7 +167,7 @@ def _polish(
     strength = np.array([2 * row.growth_per_load for row in rows])[tongue]
     reach = np.clip(strength * load, 3e-4 * theta, 0.02 * theta)
     for shrink in (1.0, 0.5, 0.5):
-        new, top, bend = _vertex(system, static, load, theta, shrink * reach)
+        new, top, bend = _vertex(measure, load, theta, shrink * reach)
         theta = np.where(np.abs(new - theta) < 0.05 * theta, new, theta)
     with np.errstate(invalid="ignore", divide="ignore"):
         width = np.sqrt(np.maximum(top, 0) / bend)
@@ -176,13 +176,14 @@ def _polish(
     return centre, half_width
 
 
-def tongue_centres(
-    system: System, static: float, loads: Array, rows: tuple[Resonance, ...]
-) -> Array:
-    """Return θ̄ (K, R) of the strongest collision of each tongue at rising loads, NaN if lost."""
+def tongue_centres(measure: Measure, loads: Array, rows: tuple[Resonance, ...]) -> Array:
+    """Return θ̄ (K, R) of the strongest collision of each tongue at rising loads, NaN if lost.
+
+    `measure` maps loads and frequencies to any smooth measure of a collision.
+    """
     levels = float(loads[-1]) * np.linspace(0.1, 1, _LEVELS)
-    path, _ = _follow(system, static, levels, rows)
-    return _polish(system, static, loads, levels, rows, path)[0]
+    path, _ = _follow(measure, levels, rows)
+    return _polish(measure, loads, levels, rows, path)[0]
 
 
 def edge_function(system: System, static: float, load: Array, theta: Array) -> Array:
@@ -306,8 +307,13 @@ def tongue_edges(
     status = np.full(shape, "lost", dtype="<U6")
     if rows and largest > 0:
         levels = largest * np.linspace(0.1, 1, _LEVELS)
-        path, _ = _follow(system, static, levels, rows)
-        _fill(system, static, loads, levels, rows, path, (centre, left, right, growth, status))
+
+        def measure(load: Array, frequency: Array) -> Array:
+            return collision(system, static, load, frequency)[0]
+
+        path, _ = _follow(measure, levels, rows)
+        polished = _polish(measure, loads, levels, rows, path)
+        _fill(system, static, loads, polished, (centre, left, right, growth, status))
     for k, row in enumerate(rows):
         zero = loads == 0
         centre[k, zero] = row.centre
@@ -325,14 +331,12 @@ def _fill(
     system: System,
     static: float,
     loads: Array,
-    levels: Array,
-    rows: tuple[Resonance, ...],
-    path: Array,
+    polished: tuple[Array, Array],
     out: tuple[Array, Array, Array, Array, NDArray[np.str_]],
 ) -> None:
-    """Polish centres and edges at every load, all tongues together."""
+    """Fill in edges at every load, all tongues together."""
     centre, left, right, growth, status = out
-    theta_all, width_all = _polish(system, static, loads, levels, rows, path)
+    theta_all, width_all = polished
     k_index, r_index = np.nonzero(np.isfinite(theta_all))
     if not len(k_index):
         return
