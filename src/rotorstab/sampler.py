@@ -57,6 +57,8 @@ class ChartSampler:
         T of the columns, rising.
     density : float
         1, or less for fewer nodes and steps: faster, less accurate, with error bounds to match.
+    between : bool
+        Whether points between columns will be wanted, down to the resonance table's lowest root.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class ChartSampler:
         largest_load: float,
         periods: Array,
         density: float = 1.0,
+        between: bool = False,
     ) -> None:
         self.system = system
         self.static_load = static_load
@@ -98,7 +101,7 @@ class ChartSampler:
             density=density,
             tolerance=_TOLERANCE,
             even=self.closed_form,
-            resolve=self._longest_tongue(coupling) if self.closed_form else 0.0,
+            resolve=self._longest_tongue(coupling) if between and self.closed_form else 0.0,
         )
         self.periods = periods
         self.data = [self._sample(panel) for panel in self.panels]

@@ -167,7 +167,7 @@ def stability_chart(
     if rows.size:
         loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            sampler = ChartSampler(system, static, float(loads[-1]), periods, density)
+            sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
             part, slack, approach = _evaluate(sampler, loads, periods, seed)
             if refine:
                 refined = _refine(system, static, loads, frequencies[order], part, slack)
