@@ -82,7 +82,9 @@ def main():
     line("DOP853, whole map", pixel * 28800, f"{pixel * 28800 / bare:,.0f} x the map")
 
     for columns, rows in ((240, 120), (775, 387), (2450, 1225))[: 2 if QUICK else 3]:
-        seconds = best(lambda c=columns, r=rows: chart(columns=c, rows=r, refine=False, seed=False), 2)
+        seconds = best(
+            lambda c=columns, r=rows: chart(columns=c, rows=r, refine=False, seed=False), 2
+        )
         each = seconds / columns / rows * 1e9
         line(f"map of {columns * rows:,} pixels", seconds, f"{each:.0f} ns a pixel")
     for modes in (2, 3) if QUICK else (2, 3, 4, 6, 8):

@@ -68,9 +68,7 @@ def test_no_pulsation_no_growth(name):
 @given(lumped_systems(), LOADS, st.floats(0.4, 8))
 def test_spin_reversal_conjugates(system, pulsating, theta):
     forward = growth_rate(system, 0.3 * P, pulsating * P, theta * W)
-    backward = growth_rate(
-        system.at_speed(-system.spin_speed), 0.3 * P, pulsating * P, theta * W
-    )
+    backward = growth_rate(system.at_speed(-system.spin_speed), 0.3 * P, pulsating * P, theta * W)
     assert forward == pytest.approx(backward, abs=3e-7)
 
 

@@ -105,7 +105,9 @@ def test_order_sign_and_plain_map():
     np.testing.assert_allclose(forward, backward[::-1, ::-1], atol=1e-6)
     assert forward.shape == (25, 60)
     one = stability_map(SYSTEMS["axial"], 0.5 * P, [0.3 * P], [1.6 * W])
-    assert one[0, 0] == pytest.approx(float(growth_rate(SYSTEMS["axial"], 0.5 * P, 0.3 * P, 1.6 * W)))
+    assert one[0, 0] == pytest.approx(
+        float(growth_rate(SYSTEMS["axial"], 0.5 * P, 0.3 * P, 1.6 * W))
+    )
 
 
 def test_rows_past_the_pole_are_nan():

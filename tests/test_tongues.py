@@ -75,7 +75,7 @@ def test_three_harmonics_and_period_t_agree_with_floquet():
     second = hill_boundary_frequencies(system, 0.0, 0.4 * P, 4, "T")
     pair = np.sort(second[np.argsort(np.abs(second - W))[:2]])
     inside = growth_rate(system, 0.0, 0.4 * P, pair.mean())
-    outside = growth_rate(system, 0.0, 0.4 * P, pair + [-1e-4, 1e-4])
+    outside = growth_rate(system, 0.0, 0.4 * P, pair + np.array([-1e-4, 1e-4]))
     assert inside > 1e-4
     assert outside.max() < 1e-9
 

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from .floquet import floquet_solution
 from .resonance import resonances
 from .sampler import ChartSampler
-from .tongues import collision, tongue_centres
+from .tongues import collision
+from .tracking import tongue_centres
 
 __all__ = ["hidden_by_table", "hidden_on_panel"]
 
