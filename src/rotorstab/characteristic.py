@@ -94,7 +94,7 @@ def _pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
 
 
 def self_inversive_growth(
-    coefficients: Array, error: Array | float = 0.0
+    coefficients: Array, error: Array | float = 0.0, nearness: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of self-inversive quartics and how far it may be wrong.
 
@@ -104,6 +104,8 @@ def self_inversive_growth(
         Re c₁, Im c₁, c₂.
     error : (...) float
         Bound on the errors of the coefficients.
+    nearness : bool
+        Whether to fill `approach`.
 
     Returns
     -------
@@ -112,8 +114,8 @@ def self_inversive_growth(
     uncertainty : (...) float
         Bound on its error, √ of the coefficients' at a double multiplier.
     approach : (...) float
-        Largest |P| − 2: below 0 how far the closest pair is from a collision, above 0 how far
-        past it. Smooth through the collision.
+        cos Δψ − 1 of the two multipliers closest on the circle, cosh 2σT − 1 once they have
+        collided: smooth through the collision. NaN if not asked for.
     """
     y, total, difference = _pair_halves(*coefficients)
     largest = (total + difference) / 2
@@ -131,7 +133,24 @@ def self_inversive_growth(
     uncertainty = np.zeros_like(growth)
     upper = np.arccosh(np.maximum(largest[near] + slack[near], 2.0) / 2)
     uncertainty[near] = upper - growth[near]
-    return growth, uncertainty, largest - 2
+    if not nearness:
+        return growth, uncertainty, np.full_like(growth, np.nan)
+    return growth, uncertainty, _approach(y, largest, (total - difference) / 2)
+
+
+def _approach(y: Array, first: Array, second: Array) -> Array:
+    """Return cos Δψ − 1 of the closest two of four multipliers, from y and the sums P.
+
+    The arguments are ±α/2 with ±a₁ and ±a₂ about them, y = 2cos α, P = 2cos a.
+    """
+    within = np.maximum(first * first, second * second) / 2 - 2
+    c0, c1, c2 = y / 2, np.minimum(first / 2, 1.0), np.clip(second / 2, -1.0, 1.0)
+    s0, s1, s2 = (np.sqrt(np.maximum(1 - c * c, 0)) for c in (c0, c1, c2))
+    cosines, sines = c1 * c2, s1 * s2
+    plus = c0 * (cosines - sines) + np.abs(s0 * (s1 * c2 + c1 * s2))
+    minus = c0 * (cosines + sines) + np.abs(s0 * (s1 * c2 - c1 * s2))
+    across = np.maximum(plus, minus) - 1
+    return np.asarray(np.where(first > 2, within, np.maximum(within, across)))
 
 
 def self_inversive_multipliers(coefficients: Array) -> Complex:
@@ -149,7 +168,7 @@ def self_inversive_multipliers(coefficients: Array) -> Complex:
     Examples
     --------
     >>> mu = self_inversive_multipliers(np.array([2.5, 0.0, 2.0]).reshape(3, 1))
-    >>> bool(np.allclose(np.sort_complex(mu.ravel())[[0, -1]], [0.5, 2.0]))
+    >>> bool(np.allclose(np.sort(abs(mu.ravel())), [0.5, 1, 1, 2]))
     True
     """
     re, im, c2 = coefficients

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -99,9 +101,9 @@ def hill_boundary_frequencies(
 
 
 def _positive_roots(
-    stiffness: NDArray[np.generic],
-    spin: NDArray[np.generic],
-    mass: Array,
+    stiffness: NDArray[Any],
+    spin: NDArray[Any],
+    mass: NDArray[Any],
     count: int,
     scale: float,
 ) -> Array:

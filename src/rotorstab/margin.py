@@ -22,6 +22,7 @@ _ROWS = 160  # loads scanned before the first crossing is refined
 _COLUMNS = 161  # frequencies scanned over a band
 _ORDERS = 6  # highest θ̄ = |ω_i − ω_j|/k named
 _ZOOMS = 4
+_REACH = 2.0  # first-order half-widths within which the simple resonance is named
 
 
 @dataclass(frozen=True)
@@ -69,10 +70,15 @@ class StabilityMargin:
     order: int
 
 
-def _nearest(table: ResonanceTable, frequency: float) -> tuple[str, int]:
-    """Return the tongue and order whose root lies nearest to a frequency, relatively."""
+def _nearest(table: ResonanceTable, frequency: float, load: float) -> tuple[str, int]:
+    """Return the tongue and order behind an instability at one frequency and load."""
     # by strength without damping: a damped tongue beyond its threshold may still be the cause
     rows = [row for row in table if row.growth_per_load > 0 and row.centre > 0]
+    first = [
+        (abs(row.centre - frequency) / (2 * row.growth_per_load * load), row.name) for row in rows
+    ]
+    if first and min(first)[0] < _REACH:
+        return min(first)[1], 1
     choices = [
         (abs(np.log(row.centre / k / frequency)) * k, row.name, k)
         for row in rows
@@ -146,7 +152,7 @@ def critical_pulsation(
     critical = _crossings(system, static, theta, largest, _ROWS)
     table = resonances(system, static, largest)
     named = [
-        _nearest(table, float(f)) if np.isfinite(p) else ("", 0)
+        _nearest(table, float(f), float(p) + 1e-12) if np.isfinite(p) else ("", 0)
         for f, p in zip(theta, critical, strict=True)
     ]
     orders = np.array([order for _, order in named], dtype=np.intp)
@@ -213,5 +219,5 @@ def stability_margin(
         theta = np.unique(np.append(np.linspace(*ends, 17), best_theta))
         critical = _crossings(system, static, theta, float(best_load) * 1.02, 8)
     k = int(np.argmin(critical))
-    name, order = _nearest(table, float(theta[k]))
+    name, order = _nearest(table, float(theta[k]), float(critical[k]) + 1e-12)
     return StabilityMargin(float(critical[k]), float(theta[k]), name, order)

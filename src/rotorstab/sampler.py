@@ -57,6 +57,8 @@ class ChartSampler:
         T of the columns, rising.
     density : float
         1, or less for fewer nodes and steps: faster, less accurate, with error bounds to match.
+    between : bool
+        Whether points between columns will be wanted, down to the resonance table's lowest root.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class ChartSampler:
         largest_load: float,
         periods: Array,
         density: float = 1.0,
+        between: bool = False,
     ) -> None:
         self.system = system
         self.static_load = static_load
@@ -98,7 +101,7 @@ class ChartSampler:
             density=density,
             tolerance=_TOLERANCE,
             even=self.closed_form,
-            resolve=self._longest_tongue(coupling) if self.closed_form else 0.0,
+            resolve=self._longest_tongue(coupling) if between and self.closed_form else 0.0,
         )
         self.periods = periods
         self.data = [self._sample(panel) for panel in self.panels]
@@ -221,7 +224,12 @@ class ChartSampler:
         return np.asarray(error + rows * (periods / plan.high) ** 4)
 
     def growth(
-        self, panel: int, functions: NDArray[Any], loads: Array, periods: Array
+        self,
+        panel: int,
+        functions: NDArray[Any],
+        loads: Array,
+        periods: Array,
+        nearness: bool = False,
     ) -> tuple[Array, Array, Array]:
         """Return growth rates, error bounds and the approach to a collision.
 
@@ -232,11 +240,13 @@ class ChartSampler:
             From `evaluate` or `scattered`.
         loads, periods : (...) float
             Broadcast to the functions' shape.
+        nearness : bool
+            Whether to fill `approach`.
 
         Returns
         -------
         growth, error, approach : (...) float
-            `approach` as in `self_inversive_growth`, NaN where there is no closed form for it.
+            `approach` as in `self_inversive_growth`, NaN if damped or without a closed form.
         """
         error = self.coefficient_error(panel, loads, periods)
         if not self.closed_form:
@@ -247,7 +257,7 @@ class ChartSampler:
             growth = growth - self.drift.imag * periods
             approach = np.full_like(growth, np.nan)
         else:
-            growth, slack, approach = self_inversive_growth(functions, error)
+            growth, slack, approach = self_inversive_growth(functions, error, nearness)
         return growth / periods, slack / periods, approach
 
     def _matrix_growth(

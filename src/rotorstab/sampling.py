@@ -39,7 +39,7 @@ class Panel:
     columns : slice
         Of the chart's columns sorted by period.
     low, high : float
-        Range of T.
+        Range of T; `high` is the next panel's first column.
     period_nodes : int
         Chebyshev nodes in T, or 0 to sample each column itself.
     load_nodes : int
@@ -142,12 +142,13 @@ def plan_panels(
     cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1), len(periods)]
 
     def panel(start: int, stop: int) -> tuple[float, Panel]:
-        low, high = float(periods[start]), float(periods[stop - 1])
+        # up to the next panel's first column, to leave no gap between panels
+        low, high = float(periods[start]), float(periods[min(stop, len(periods) - 1)])
         nodes = int(np.ceil(density * _period_nodes(bandwidth, high - low)))
         columns = stop - start
         loads = max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
         steps = max(1, int(np.ceil(rate * high)))
-        if columns <= nodes and (low >= resolve or columns < 3):
+        if columns <= nodes and low >= resolve:
             nodes = 0
         sampled = nodes or columns
         made = Panel(slice(int(start), int(stop)), low, high, nodes, loads, steps)

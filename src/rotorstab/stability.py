@@ -57,7 +57,9 @@ class StabilityChart:
     seeded: int
 
 
-def _evaluate(sampler: ChartSampler, loads: Array, periods: Array) -> tuple[Array, Array, Array]:
+def _evaluate(
+    sampler: ChartSampler, loads: Array, periods: Array, nearness: bool
+) -> tuple[Array, Array, Array]:
     """Return growth, error and approach of the whole grid, periods rising."""
     out = np.empty((3, len(loads), len(periods)))
     for index, panel in enumerate(sampler.panels):
@@ -67,7 +69,7 @@ def _evaluate(sampler: ChartSampler, loads: Array, periods: Array) -> tuple[Arra
             part = slice(start, start + rows)
             functions = sampler.evaluate(index, loads[part], columns)
             out[:, part, panel.columns] = sampler.growth(
-                index, functions, loads[part, None], columns
+                index, functions, loads[part, None], columns, nearness
             )
     return out[0], out[1], out[2]
 
@@ -165,28 +167,17 @@ def stability_chart(
     if rows.size:
         loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            sampler = ChartSampler(system, static, float(loads[-1]), periods, density)
-            part, slack, approach = _evaluate(sampler, loads, periods)
+            sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
+            part, slack, approach = _evaluate(sampler, loads, periods, seed)
             if refine:
                 refined = _refine(system, static, loads, frequencies[order], part, slack)
         tall = np.array(part)
         if seed:
-            known = np.isfinite(approach).any()
+            tall = np.fmax(tall, hidden_by_table(sampler, loads, frequencies[order]))
             for index, panel in enumerate(sampler.panels):
-                if known and panel.period_nodes:
-                    columns = periods[panel.columns]
-                    found = hidden_on_panel(
-                        sampler, index, loads, columns, approach[:, panel.columns]
-                    )
-                    tall[:, panel.columns] = np.maximum(tall[:, panel.columns], found)
-            slow = [p for p in sampler.panels if not (known and p.period_nodes)]
-            if slow:
-                low = min(2 * np.pi / p.high for p in slow)
-                high = max(2 * np.pi / p.low for p in slow)
-                tall = np.fmax(
-                    tall,
-                    hidden_by_table(system, static, loads, frequencies[order], low, high),
-                )
+                if panel.period_nodes and not system.is_damped and sampler.closed_form:
+                    found = hidden_on_panel(sampler, index, loads, periods, approach)
+                    tall = np.fmax(tall, found)
         target = np.ix_(rows, order)
         growth[target], error[target], peak[target] = part, np.maximum(slack, _FLOOR), tall
     with np.errstate(invalid="ignore"):

@@ -11,22 +11,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import number, numbers
 from .floquet import floquet_solution
-from .resonance import Resonance, resonances
+from .resonance import resonances
 from .system import System
+from .tracking import LEVELS, follow, polish
 
 __all__ = [
     "TongueEdges",
     "collision",
     "edge_function",
     "illinois",
-    "tongue_centres",
     "tongue_edges",
 ]
 
 Array = NDArray[np.float64]
 
-_LEVELS = 12  # loads at which tongues are followed from their root
-_DRIFT = 0.25  # of θ̄: a centre that moves farther has been lost
 _EDGE = 1e-9  # wanted on an edge, relative to θ̄
 _ROUNDS = 40
 _MARCH = (0.6, *np.arange(0.8, 1.3, 0.05), *np.arange(1.3, 2.5, 0.1))  # of the half-width
@@ -88,101 +86,6 @@ def collision(
         turn = gap.imag - 2 * np.pi * np.round(gap.imag / (2 * np.pi))
         best = np.maximum(best, (gap.real**2 - turn**2) / 4)
     return best, solution.growth_rate
-
-
-def _vertex(
-    system: System, static: float, load: Array, guess: Array, reach: Array
-) -> tuple[Array, Array, Array]:
-    """Return centre, height and curvature of parabolas through three points around guesses."""
-    offsets = np.array([-1.0, 0.0, 1.0])
-    points = guess[..., None] + reach[..., None] * offsets
-    height, _ = collision(system, static, load[..., None], points)
-    slope = (height[..., 2] - height[..., 0]) / 2
-    bend = height[..., 2] - 2 * height[..., 1] + height[..., 0]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shift = np.where(bend < 0, -slope / bend, np.nan)
-    shift = np.clip(shift, -2, 2)
-    top = height[..., 1] + slope * shift + bend * shift**2 / 2
-    return guess + shift * reach, top, -bend / reach**2
-
-
-def _follow(
-    system: System, static: float, levels: Array, rows: tuple[Resonance, ...]
-) -> tuple[Array, Array]:
-    """Return centres and first-guess half-widths (K, levels), NaN once a tongue is lost."""
-    roots = np.array([row.centre for row in rows])
-    strength = np.array([2 * row.growth_per_load for row in rows])
-    knots, path = [np.zeros(1)], [roots]
-    centre = np.full((len(rows), len(levels)), np.nan)
-    width = np.full_like(centre, np.nan)
-    for index, level in enumerate(levels):
-        # the centre is even in the load: extrapolate in its square
-        squares = np.concatenate(knots)
-        recent = slice(max(0, len(squares) - 4), None)
-        weights = [
-            np.prod([(level**2 - b) / (a - b) for b in squares[recent] if b != a])
-            for a in squares[recent]
-        ]
-        guess = np.tensordot(weights, np.array(path[recent]), 1)
-        load = np.full(len(rows), level)
-        reach = np.maximum(2 * strength * level, 1e-3 * roots)
-        reach = np.minimum(reach, 0.02 * roots)
-        for shrink in (1.0, 0.5, 0.25):
-            new, top, bend = _vertex(system, static, load, guess, shrink * reach)
-            guess = np.where(np.abs(new - guess) <= _DRIFT * roots, new, np.nan)
-            guess = np.where(guess > 0.1 * roots, guess, np.nan)
-            # a lost tongue still needs a number to be evaluated at
-            safe = np.where(np.isnan(guess), roots, guess)
-            lost, guess = np.isnan(guess), safe
-        centre[:, index] = np.where(lost, np.nan, guess)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            width[:, index] = np.sqrt(np.maximum(top, 0) / bend)
-        centre[:, index] = np.where(np.isnan(centre[:, max(index - 1, 0)]), np.nan, guess)
-        centre[lost, index] = np.nan
-        knots.append(np.array([level**2]))
-        path.append(np.where(lost, path[-1], guess))
-    return centre, width
-
-
-def _polish(
-    system: System,
-    static: float,
-    loads: Array,
-    levels: Array,
-    rows: tuple[Resonance, ...],
-    path: Array,
-) -> tuple[Array, Array]:
-    """Return refined centres and half-widths (K, R) at the loads above 0, NaN where lost."""
-    centre, half_width = (np.full((len(rows), len(loads)), np.nan) for _ in range(2))
-    for k, row in enumerate(rows):
-        good = np.isfinite(path[k])
-        squares = np.concatenate([[0.0], levels[good] ** 2])
-        guess = np.interp(loads**2, squares, np.concatenate([[row.centre], path[k, good]]))
-        lost = (loads**2 > 1.0001 * squares[-1]) | (loads == 0)
-        centre[k] = np.where(lost, np.nan, guess)
-    tongue, at = np.nonzero(np.isfinite(centre))
-    if not len(tongue):
-        return centre, half_width
-    theta, load = centre[tongue, at], loads[at]
-    strength = np.array([2 * row.growth_per_load for row in rows])[tongue]
-    reach = np.clip(strength * load, 3e-4 * theta, 0.02 * theta)
-    for shrink in (1.0, 0.5, 0.5):
-        new, top, bend = _vertex(system, static, load, theta, shrink * reach)
-        theta = np.where(np.abs(new - theta) < 0.05 * theta, new, theta)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        width = np.sqrt(np.maximum(top, 0) / bend)
-    centre[tongue, at] = theta
-    half_width[tongue, at] = np.where(width > 0, width, strength * load)
-    return centre, half_width
-
-
-def tongue_centres(
-    system: System, static: float, loads: Array, rows: tuple[Resonance, ...]
-) -> Array:
-    """Return θ̄ (K, R) of the strongest collision of each tongue at rising loads, NaN if lost."""
-    levels = float(loads[-1]) * np.linspace(0.1, 1, _LEVELS)
-    path, _ = _follow(system, static, levels, rows)
-    return _polish(system, static, loads, levels, rows, path)[0]
 
 
 def edge_function(system: System, static: float, load: Array, theta: Array) -> Array:
@@ -305,9 +208,14 @@ def tongue_edges(
     centre, left, right, growth = (np.full(shape, np.nan) for _ in range(4))
     status = np.full(shape, "lost", dtype="<U6")
     if rows and largest > 0:
-        levels = largest * np.linspace(0.1, 1, _LEVELS)
-        path, _ = _follow(system, static, levels, rows)
-        _fill(system, static, loads, levels, rows, path, (centre, left, right, growth, status))
+        levels = largest * np.linspace(0.1, 1, LEVELS)
+
+        def measure(load: Array, frequency: Array) -> Array:
+            return collision(system, static, load, frequency)[0]
+
+        path, _ = follow(measure, levels, rows)
+        polished = polish(measure, loads, levels, rows, path)
+        _fill(system, static, loads, polished, (centre, left, right, growth, status))
     for k, row in enumerate(rows):
         zero = loads == 0
         centre[k, zero] = row.centre
@@ -325,14 +233,12 @@ def _fill(
     system: System,
     static: float,
     loads: Array,
-    levels: Array,
-    rows: tuple[Resonance, ...],
-    path: Array,
+    polished: tuple[Array, Array],
     out: tuple[Array, Array, Array, Array, NDArray[np.str_]],
 ) -> None:
-    """Polish centres and edges at every load, all tongues together."""
+    """Fill in edges at every load, all tongues together."""
     centre, left, right, growth, status = out
-    theta_all, width_all = _polish(system, static, loads, levels, rows, path)
+    theta_all, width_all = polished
     k_index, r_index = np.nonzero(np.isfinite(theta_all))
     if not len(k_index):
         return

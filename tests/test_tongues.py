@@ -1,0 +1,115 @@
+"""True edges, margins and higher-order Bolotin boundaries."""
+
+import numpy as np
+import pytest
+from rotors import P, W
+
+from rotorstab import BASE_CASE, boundary_frequencies, lumped
+from rotorstab.floquet import growth_rate
+from rotorstab.hill import hill_boundary_frequencies
+from rotorstab.margin import critical_pulsation, stability_margin
+from rotorstab.resonance import resonances
+from rotorstab.tongues import tongue_edges
+
+
+@pytest.mark.parametrize("tangency", [0.0, 1.0])
+def test_growth_starts_at_the_edges(tangency):
+    system = lumped(BASE_CASE, 2.0, tangency)
+    loads = np.array([0.0, 0.05, 0.15]) * P
+    edges = tongue_edges(system, 0.5 * P, loads)
+    assert edges.names == tuple(r.name for r in resonances(system, 0.5 * P, 0.1).tongues)
+    assert (edges.status == "tongue").all()
+    for k in range(len(edges.names)):
+        assert edges.left[k, 0] == edges.right[k, 0] == edges.centre[k, 0]
+        for i in (1, 2):
+            for edge, side in ((edges.left[k, i], -1), (edges.right[k, i], 1)):
+                inside, outside = growth_rate(
+                    system, 0.5 * P, loads[i], edge - side * np.array([1e-6, -1e-6])
+                )
+                assert inside > 1e-6
+                assert outside < 1e-7
+
+
+def test_edges_with_damping_and_bad_input():
+    system = lumped(BASE_CASE, 2.0, external_damping=0.01)
+    edges = tongue_edges(system, 0.5 * P, np.array([0.0, 0.02, 0.2]) * P, ("1B+1F",))
+    assert edges.status[0].tolist() == ["stable", "stable", "tongue"]
+    for edge in (edges.left[0, 2], edges.right[0, 2]):
+        assert abs(growth_rate(system, 0.5 * P, 0.2 * P, edge)) < 1e-8
+    with pytest.raises(ValueError, match="`names` must be among"):
+        tongue_edges(system, 0.5 * P, [0.2 * P], ("1B+7F",))
+    with pytest.raises(ValueError, match="rising"):
+        tongue_edges(system, 0.5 * P, [0.2, 0.1])
+
+
+@pytest.mark.parametrize("speed", [0.0, 1.0, 2.0])
+@pytest.mark.parametrize("tangency", [0.0, 1.0])
+def test_one_harmonic_is_bolotins_first_approximation(speed, tangency):
+    system = lumped(BASE_CASE, speed, tangency)
+    loads = np.array([0.1, 0.5]) * P
+    np.testing.assert_allclose(
+        hill_boundary_frequencies(system, 0.3 * P, loads),
+        boundary_frequencies(system, 0.3 * P, loads),
+        rtol=1e-7,
+    )
+
+
+@pytest.mark.parametrize(("harmonics", "low", "high"), [(1, 0.1, 0.2), (2, 0.2, 0.4)])
+def test_order_of_the_hill_boundaries_without_spin(harmonics, low, high):
+    system = lumped(BASE_CASE, 0.0)
+    error = []
+    for factor in (low, high):
+        edges = tongue_edges(system, 0.0, [factor * P], ("1B+1F",))
+        found = hill_boundary_frequencies(system, 0.0, factor * P, harmonics)
+        error.append(np.nanmin(np.abs(found - edges.right[0, 0])))
+    order = np.log(error[1] / error[0]) / np.log(high / low)
+    assert order == pytest.approx(2 * harmonics, abs=0.35)
+
+
+def test_three_harmonics_and_period_t_agree_with_floquet():
+    system = lumped(BASE_CASE, 0.0)
+    edges = tongue_edges(system, 0.0, [0.4 * P], ("1B+1F",))
+    three = hill_boundary_frequencies(system, 0.0, 0.4 * P, 3)
+    assert np.nanmin(np.abs(three - edges.left[0, 0])) < 1e-8
+    # the second-order tongue at ω: stable outside, unstable inside a pair of period T
+    second = hill_boundary_frequencies(system, 0.0, 0.4 * P, 4, "T")
+    pair = np.sort(second[np.argsort(np.abs(second - W))[:2]])
+    inside = growth_rate(system, 0.0, 0.4 * P, pair.mean())
+    outside = growth_rate(system, 0.0, 0.4 * P, pair + np.array([-1e-4, 1e-4]))
+    assert inside > 1e-4
+    assert outside.max() < 1e-9
+
+
+def test_hill_bad_input():
+    system = lumped(BASE_CASE, 0.0)
+    with pytest.raises(ValueError, match=r"`harmonics` must be an integer in \[1, 20\], got 0"):
+        hill_boundary_frequencies(system, 0.0, 0.1, 0)
+    with pytest.raises(ValueError, match="`period` must be one of"):
+        hill_boundary_frequencies(system, 0.0, 0.1, 1, "3T")
+    assert hill_boundary_frequencies(system, np.zeros((3, 1)), 0.1, 2).shape == (3, 1, 8)
+
+
+def test_critical_pulsation_is_where_growth_starts():
+    system = lumped(BASE_CASE, 2.0)
+    theta = np.array([1.5, 1.65, 3.9, 5.0]) * W
+    result = critical_pulsation(system, 0.5 * P, theta, P)
+    assert np.isinf(result.pulsating_load[3])
+    assert result.pairs == ("1B+1F", "1B+1F", "2B+1F", "")
+    for load, frequency in zip(result.pulsating_load[:3], theta, strict=False):
+        below, above = growth_rate(system, 0.5 * P, load * np.array([0.9999, 1.0001]), frequency)
+        assert below < 1e-8 < above
+
+
+def test_margin():
+    undamped = stability_margin(lumped(BASE_CASE, 2.0), 0.5 * P, 1.0 * W, 11 * W, P)
+    assert (undamped.pulsating_load, undamped.pair) == (0.0, "1B+1F")
+    system = lumped(BASE_CASE, 2.0, external_damping=0.02)
+    margin = stability_margin(system, 0.5 * P, 1.0 * W, 3 * W, 0.5 * P)
+    row = resonances(system, 0.5 * P, P)["1B+1F"]
+    assert (margin.pair, margin.order) == ("1B+1F", 1)
+    assert margin.pulsating_load == pytest.approx(row.threshold, rel=2e-3)
+    assert margin.excitation_frequency == pytest.approx(row.centre, rel=2e-3)
+    nothing = stability_margin(system, 0.5 * P, 5.0 * W, 5.5 * W, 0.1 * P)
+    assert nothing.pulsating_load == np.inf
+    with pytest.raises(ValueError, match="`highest_frequency` must be in"):
+        stability_margin(system, 0.0, 2.0, 1.0, 0.1)
