@@ -104,8 +104,9 @@ class Controls(pn.custom.JSComponent):
         if not isinstance(data, Mapping):
             return
         sequence = data.get("seq")
-        answer = self._respond(data)
-        self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
+        with pn.io.hold():  # patches and answer leave as one message
+            answer = self._respond(data)
+            self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
 
     def tell(self, content: Mapping[str, Any]) -> None:
         """Send the browser something it did not wait for."""

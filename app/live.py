@@ -66,9 +66,15 @@ class LiveChart:
     def show(self, chart: Chart) -> None:
         """Patch the sources that differ, and the ranges unless the user has zoomed."""
         for layer in chart.layers:
-            columns = plots.columns(layer)
-            if not _same(list(columns.values()), list(self._drawn.get(layer.label, {}).values())):
-                self.sources[layer.label].data = columns
+            columns, drawn = plots.columns(layer), self._drawn.get(layer.label, {})
+            # of 12 curves mostly the ordinates move; whole columns, because a new length moves all
+            moved = {
+                name: column
+                for name, column in columns.items()
+                if name not in drawn or not _same(column, drawn[name])
+            }
+            if moved:
+                self.sources[layer.label].data.update(moved)
                 self._drawn[layer.label] = columns
                 if layer.label in self._colours and layer.label == "growth":
                     self._rescale(columns["image"][0])

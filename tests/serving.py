@@ -1,4 +1,4 @@
-"""Serve an app with the shipped start script, for tests and benchmarks."""
+"""Serve an app as a process of its own, for tests and benchmarks."""
 
 import asyncio
 import http.client
@@ -28,9 +28,12 @@ def run(coroutine):
 
 
 class Server:
-    """A server of its own port and process group, ended by its own process id."""
+    """A server of its own port and process group, ended by its own process id.
 
-    def __init__(self, log, app=None, origins=(), **environment):
+    It is started with the shipped start script, or with a command of which "PORT" is a word.
+    """
+
+    def __init__(self, log, app=None, origins=(), command=None, **environment):
         self.port = free_port()
         self.origin = f"http://localhost:{self.port}"
         self.log = log
@@ -42,9 +45,11 @@ class Server:
             **environment,
         }
         environment.pop("BOKEH_SECRET_KEY", None)
+        command = command or ["sh", START, *([app] if app else [])]
+        command = [str(self.port) if word == "PORT" else word for word in command]
         with log.open("w") as output:
             self.process = subprocess.Popen(
-                ["sh", START, *([app] if app else [])],
+                command,
                 env=environment,
                 stdout=output,
                 stderr=subprocess.STDOUT,

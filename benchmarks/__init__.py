@@ -1,0 +1,1 @@
+"""Speed of the solver and of the dashboard: `python -m benchmarks [name …]`."""

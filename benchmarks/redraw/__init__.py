@@ -1,0 +1,1 @@
+"""What `bench_redraw` serves and runs in the browser."""
