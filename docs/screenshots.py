@@ -1,4 +1,4 @@
-"""Write pictures of every page, at three widths, light and dark: `python -m docs.screenshots [DIR]`.
+"""Write pictures of every page, at three widths, in both themes: `python -m docs.screenshots`.
 
 Serves the dashboard on a free loopback port and photographs it with headless Chromium.
 """
@@ -19,12 +19,18 @@ from playwright.sync_api import Browser, sync_playwright
 from tests.browser import find_browser
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = ("explore", "stiffness")
+PAGES = ("explore", "stiffness", "paper")
 SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "phone": (390, 844)}
-FLAGS = (
-    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
-    "--disable-background-networking --disable-component-update --disable-sync"
-).split()
+FLAGS = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
 
 
 def serve() -> tuple[subprocess.Popen[bytes], str]:
@@ -61,6 +67,8 @@ def photograph(browser: Browser, address: str, page: str, size: str, theme: str,
     tab.wait_for_function(
         "window.rotorstab && window.rotorstab.last?.page === location.hash.slice(1)"
     )
+    if page == "paper":
+        tab.wait_for_selector(".picture img", timeout=60_000)
     tab.wait_for_timeout(1500)
     full = tab.evaluate("document.documentElement.scrollHeight")
     tab.set_viewport_size({"width": width, "height": max(height, full)})

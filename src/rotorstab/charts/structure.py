@@ -134,9 +134,8 @@ def mark_columns(rows: Sequence[tuple[Any, ...]], *extra: str) -> dict[str, Sequ
     columns: list[Sequence[Any]] = [list(column) for column in zip(*rows, strict=True)]
     columns = columns or [[] for _ in range(3 + len(extra))]
     x, y, *words = columns
-    return {"x": np.array(x, float), "y": np.array(y, float)} | dict(
-        zip(("name", *extra), words, strict=True)
-    )
+    result: dict[str, Any] = {"x": np.array(x, float), "y": np.array(y, float)}
+    return result | dict(zip(("name", *extra), words, strict=True))
 
 
 def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:
