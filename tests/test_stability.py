@@ -155,3 +155,20 @@ def test_closed_form_multipliers(roots):
         gap = np.abs(found.ravel()[:, None] - roots)
         assert gap.min(axis=1).max() < 1e-6
         assert gap.min(axis=0).max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("system", "static", "largest", "low"),
+    [
+        (lumped(BASE_CASE, 0.5), 0.9, 2.0, 0.1),  # growth by 1e13 in half a period
+        (lumped(BASE_CASE, 0.0, 1.0), 2.67, 0.5, 0.3),  # mean system at its flutter load
+        (lumped(BASE_CASE, 0.0), 1.0, 1.0, 0.3),  # and at buckling
+        (lumped(BASE_CASE, 6.0, internal_damping=0.05), 0.5, 1.0, 0.3),  # whirling by itself
+    ],
+)
+def test_bounds_hold_at_the_extremes(system, static, largest, low):
+    loads, theta = np.linspace(0, largest, 9) * P, np.linspace(low, 5, 24) * W
+    chart = stability_chart(system, static * P, loads, theta)
+    exact = floquet_solution(system, static * P, loads[:, None], theta)
+    assert (np.abs(chart.growth - exact.growth_rate) <= chart.error + exact.error).all()
+    assert np.abs(chart.growth - exact.growth_rate).max() < 1e-5

@@ -18,6 +18,7 @@ __all__ = [
     "quartic_multipliers",
     "self_inversive_growth",
     "self_inversive_multipliers",
+    "solved",
 ]
 
 Array = NDArray[np.float64]
@@ -25,6 +26,18 @@ Complex = NDArray[np.complex128]
 
 _NEAR_END = 0.05  # of 2 ± y: below it one of the two half-angle quotients is 0/0
 _BEYOND = 1e-6  # |y| > 2 by more than this is a real split, not rounding
+
+
+def solved(matrix: Complex, right: Complex) -> Complex:
+    """Return matrix⁻¹ right, all NaN if one of the matrices is singular to rounding.
+
+    That happens where a growth over half a period leaves the range of double precision; a
+    chart then computes those pixels one by one.
+    """
+    try:
+        return np.asarray(np.linalg.solve(matrix, right), dtype=np.complex128)
+    except np.linalg.LinAlgError:
+        return np.full(right.shape, np.nan, dtype=np.complex128)
 
 
 def characteristic_coefficients(monodromy: Complex, scale: Complex) -> NDArray[Any]:
@@ -42,7 +55,7 @@ def characteristic_coefficients(monodromy: Complex, scale: Complex) -> NDArray[A
     """
     c1 = np.trace(monodromy, axis1=-2, axis2=-1) / scale
     square = np.einsum("...ij,...ji->...", monodromy, monodromy) / scale**2
-    inverse = np.linalg.inv(monodromy)
+    inverse = solved(monodromy, np.broadcast_to(np.eye(4, dtype=complex), monodromy.shape))
     return np.array([c1, (c1**2 - square) / 2, np.trace(inverse, axis1=-2, axis2=-1) * scale])
 
 
@@ -120,9 +133,9 @@ def self_inversive_growth(
     y, total, difference = _pair_halves(*coefficients)
     largest = (total + difference) / 2
     # how far the colliding pair stays from the other one
-    distance = np.abs(y - (total - difference) / 2)
-    distance *= np.minimum(distance, 1)
-    slack = 2 * error / np.maximum(distance, np.sqrt(error) + 1e-300)
+    distance = np.minimum(np.abs(y - (total - difference) / 2), 1)
+    distance *= distance
+    slack = 2 * error / np.maximum(distance, np.minimum(np.sqrt(error) + 1e-300, 1))
     end = np.abs(y) > 2 - 4 * _NEAR_END
     if end.any():
         # there one of S and D is the root of a difference
@@ -131,8 +144,10 @@ def self_inversive_growth(
     growth = np.arccosh(np.maximum(largest, 2.0) / 2)
     near = largest + slack > 2
     uncertainty = np.zeros_like(growth)
-    upper = np.arccosh(np.maximum(largest[near] + slack[near], 2.0) / 2)
-    uncertainty[near] = upper - growth[near]
+    upper, lower = (
+        np.arccosh(np.maximum(largest[near] + sign * slack[near], 2.0) / 2) for sign in (1, -1)
+    )
+    uncertainty[near] = np.maximum(upper - growth[near], growth[near] - lower)
     if not nearness:
         return growth, uncertainty, np.full_like(growth, np.nan)
     return growth, uncertainty, _approach(y, largest, (total - difference) / 2)

@@ -23,6 +23,7 @@ _LEVELS = (3, 4, 5)  # step counts in each extrapolation, times a common factor
 _TOLERANCE = 3e-9  # relative, on the next-to-last extrapolant of the propagator
 _RADIANS_PER_STEP = 1.5  # of the fastest mode, first attempt
 _MOST_STEPS = 200_000
+_LARGEST = 1e3  # entry of half a period's propagator that may still be inverted
 _CHUNK = 1 << 16  # complex entries propagated together: what a cache holds
 
 
@@ -71,10 +72,14 @@ def _take(basis: ModalBasis, index: NDArray[np.intp]) -> ModalBasis:
 
 
 def _propagators(
-    system: System, basis: ModalBasis, loads: tuple[Array, Array], period: Array, factor: int
+    system: System,
+    basis: ModalBasis,
+    loads: tuple[Array, Array],
+    period: Array,
+    factor: int,
+    share: float,
 ) -> tuple[Complex, Complex]:
-    """Return the fine and the coarse extrapolant of Y (P, 2n, 2n), half a period if undamped."""
-    share = 1.0 if system.is_damped else 0.5
+    """Return the fine and the coarse extrapolant of Y (P, 2n, 2n) over a share of the period."""
     fine = coarse = np.complex128(0)
     for level, better, worse in zip(_LEVELS, _FINE, _COARSE, strict=True):
         steps = level * factor
@@ -83,11 +88,14 @@ def _propagators(
     return np.moveaxis(np.asarray(fine), -1, 0), np.moveaxis(np.asarray(coarse), -1, 0)
 
 
-def _multipliers(system: System, propagator: Complex) -> Complex:
+def _multipliers(propagator: Complex, share: float) -> Complex:
     """Return the eigenvalues of the monodromy, largest modulus first; NaN where not finite."""
     finite = np.asarray(np.isfinite(propagator).all(axis=(-2, -1)))
+    if share < 1:
+        # too large to invert: these points take the whole period
+        finite &= np.abs(propagator).max(axis=(-2, -1)) < _LARGEST
     safe = np.where(finite[:, None, None], propagator, np.eye(propagator.shape[-1]))
-    if not system.is_damped:
+    if share < 1:
         # half a period is enough: by time reversal Y(−t) = conj Y(t)
         safe = np.linalg.solve(safe.conj(), safe)
     values = np.linalg.eigvals(safe)
@@ -107,7 +115,7 @@ def _batches(radians: Array, size: int) -> Iterator[NDArray[np.intp]]:
 
 
 def _solve(
-    system: System, static: Array, pulsating: Array, period: Array
+    system: System, static: Array, pulsating: Array, period: Array, share: float
 ) -> tuple[Complex, Array, NDArray[np.bool_]]:
     """Return multipliers, growth error and convergence of a flat list of points."""
     size = 2 * system.size
@@ -117,8 +125,7 @@ def _solve(
     drive = np.linalg.norm(np.linalg.solve(system.mass, system.geometric), 2)
     swing = np.abs(static - basis.load) + np.abs(pulsating)
     radians = period * np.sqrt(np.abs(basis.frequencies).max(axis=-1) ** 2 + drive * swing)
-    if not system.is_damped:
-        radians = radians / 2
+    radians = radians * share
     multipliers = np.full((len(period), size), np.nan + 0j)
     error = np.full(len(period), np.nan)
     converged = np.zeros(len(period), dtype=np.bool_)
@@ -136,18 +143,26 @@ def _solve(
                     (static[pending], pulsating[pending]),
                     period[pending],
                     factor,
+                    share,
                 )
                 gap = np.abs(fine - coarse).max(axis=(-2, -1))
                 good = gap <= _TOLERANCE * np.abs(fine).max(axis=(-2, -1))
             finite = np.isfinite(gap)
-            multipliers[pending] = _multipliers(part, fine)
-            other = np.abs(_multipliers(part, coarse)[:, 0])
+            multipliers[pending] = _multipliers(fine, share)
+            other = np.abs(_multipliers(coarse, share)[:, 0])
             with np.errstate(invalid="ignore", divide="ignore"):
                 largest = np.abs(multipliers[pending, 0])
                 error[pending] = np.abs(np.log(largest / other)) / period[pending]
             converged[pending] = good
             pending = pending[~good & finite]
             factor *= 2
+    lost = np.flatnonzero(np.isnan(multipliers[:, 0]))
+    if share < 1 and lost.size:
+        if system.spin_speed.ndim:
+            system = replace(system, spin_speed=system.spin_speed[lost])
+        multipliers[lost], error[lost], converged[lost] = _solve(
+            system, static[lost], pulsating[lost], period[lost], 1.0
+        )
     return multipliers, error, converged
 
 
@@ -204,7 +219,8 @@ def floquet_solution(
             np.empty((*shape, 2 * system.size), complex), empty, empty, empty.astype(bool)
         )
     period = 2 * np.pi / frequency.ravel()
-    multipliers, error, converged = _solve(system, static.ravel(), pulsating.ravel(), period)
+    share = 1.0 if system.is_damped else 0.5
+    multipliers, error, converged = _solve(system, static.ravel(), pulsating.ravel(), period, share)
     with np.errstate(divide="ignore"):
         growth = np.log(np.abs(multipliers[:, 0])) / period
     result: tuple[NDArray[Any], ...] = (
