@@ -364,9 +364,28 @@ def _polygons(loads: Array, values: Array) -> tuple[Array, ...]:
     return tuple(polygons)
 
 
+def _forward(system: System, static: Array, squares: Array) -> NDArray[np.bool_]:
+    """Return whether each λ (4,) of a spinning lumped rotor at p̄_t = 0 is a forward whirl's.
+
+    There (24) splits in two; with ω² = λ it is D + ωΩ̄Ī_P a = 0, which gives ω its sign.
+    """
+    k, m = entries(system.load_stiffness(static)), entries(system.mass)
+    a = k[0] - squares * m[0]
+    determinant = a * (k[3] - squares * m[3]) - k[1] * k[2]
+    return np.asarray(a * determinant * system.spin_speed < 0)
+
+
 def _boundary_names(system: System, static: Array, squares: Complex) -> tuple[str, ...]:
     """Name each column of λ (m, 2n) by the whirl mode whose ω² it starts from."""
-    frequencies, names = eigenvalues(system, static), mode_names(system.size)
+    first, spinning = squares[0], system.spin_matrix().any()
+    if spinning and _plain_lumped(system) and not first.imag.any() and first.real[0] > 0:
+        count = {"B": 0, "F": 0}
+        names = []
+        for direction in np.where(_forward(system, static, first.real), "F", "B").tolist():
+            count[direction] += 1
+            names.append(f"{count[direction]}{direction}")
+        return tuple(names)
+    frequencies = eigenvalues(system, static)
     if frequencies.imag.any() and not system.is_damped:
         # past buckling or flutter a mode keeps the name it has at no load
         curves = load_frequency_curves(system, static * np.linspace(0.0, 1.0, 200))
@@ -374,10 +393,10 @@ def _boundary_names(system: System, static: Array, squares: Complex) -> tuple[st
     starts = (frequencies**2).real.tolist()
     scale = max(map(abs, starts))
     # 1B before 1F where both start from one point: the left boundary is the backward one
-    by_start = sorted((round(x / scale, 9), name) for x, name in zip(starts, names, strict=True))
+    labels = zip((round(x / scale, 9) for x in starts), mode_names(system.size), strict=True)
     # just above p̄_t = 0, where columns that start together have parted
     columns = np.argsort(squares[1].real, kind="stable").tolist()
-    named = {column: name for column, (_, name) in zip(columns, by_start, strict=True)}
+    named = {column: name for column, (_, name) in zip(columns, sorted(labels), strict=True)}
     return tuple(named[column] for column in range(len(named)))
 
 
