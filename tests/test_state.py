@@ -15,7 +15,8 @@ from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, ShaftDisk
 
 NAMES = tuple(State().inputs())
 CHOICES = {n: State.param[n].objects for n in NAMES if isinstance(State.param[n], param.Selector)}
-BOUNDS = {name: State.param[name].bounds for name in NAMES if name not in CHOICES}
+SWITCHES = tuple(name for name in NAMES if isinstance(State.param[name], param.Boolean))
+BOUNDS = {n: State.param[n].bounds for n in NAMES if n not in CHOICES and n not in SWITCHES}
 GARBAGE = [
     math.nan,
     math.inf,
@@ -54,6 +55,8 @@ def valid(name):
     """Values of one input that are in its range."""
     if name in CHOICES:
         return st.sampled_from(CHOICES[name])
+    if name in SWITCHES:
+        return st.booleans()
     return st.floats(*BOUNDS[name])
 
 
@@ -76,6 +79,8 @@ def holds(state):
     for name, value in inputs.items():
         if name in CHOICES:
             assert value in CHOICES[name]
+        elif name in SWITCHES:
+            assert type(value) is bool
         else:
             assert type(value) is float
             assert BOUNDS[name][0] <= value <= BOUNDS[name][1]
@@ -105,6 +110,7 @@ def test_the_start_is_the_papers_base_case():
         ("disk_mass", 0.5, 20),
         ("diametral_inertia", 0.01, 3),
         ("polar_inertia", 0, 6),
+        ("tangency", 0, 1),
     ],
 )
 def test_bounds_are_those_that_the_page_promises(name, low, high):
@@ -141,6 +147,8 @@ def test_garbage_is_refused_with_the_range(name):
     state = State()
     before = state.inputs()
     for value in GARBAGE:
+        if name in SWITCHES and isinstance(value, bool):
+            continue
         errors = state.change({name: value})
         assert list(errors) == [name]
         assert errors[name].startswith("must be")
@@ -222,11 +230,14 @@ def test_moving_the_tangency_means_a_partly_follower_load():
 def test_presets_bring_their_rotor_and_leave_the_ranges_of_the_charts(preset, rotor):
     state = State()
     state.change({"highest_frequency": 20.0, "shear": 0.09, "load_type": "follower"})
+    state.change({"internal_damping": 0.1, "law": "exact", "model": "finite elements"})
     assert state.apply_preset(preset) == {}
     assert holds(state)
     got = state.rotor()
     for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia"):
         assert getattr(got, name) == getattr(rotor, name)
+    assert (state.external_damping, state.internal_damping) == (0.0, 0.0)
+    assert (state.model, state.law) == ("lumped", "linear")
     assert (state.highest_frequency, state.load_type) == (20.0, "axial")
 
 
@@ -240,7 +251,8 @@ def test_the_speeds_of_table_1():
 
 
 def test_every_preset_is_tested_and_named_in_the_state():
-    assert len(PRESETS) == 4
+    tested = {"Base case", "Euler–Bernoulli twin", "Table 1, at rest", "Table 1, 1000 rpm"}
+    assert set(PRESETS) == tested
     assert all(set(values) <= set(NAMES) for values in PRESETS.values())
 
 
