@@ -51,6 +51,8 @@ __all__ = [
     "Model",
     "Result",
     "error_table",
+    "map_options",
+    "model_of",
     "paper_figure",
     "solve",
     "stiffness_comparison",
@@ -178,6 +180,16 @@ def _campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
     return campbell_diagram(model.system(0.0, tangency), speeds, load)
 
 
+def map_options(model: Model, settled: bool) -> dict[str, Any]:
+    """Return how carefully the growth map of a model is made, for `stability_chart`."""
+    return {
+        "density": PIXELS[model.kind, settled][2],
+        "refine": settled and model.kind == "lumped",
+        # looking for tongues thinner than a pixel is quick only in closed form
+        "seed": settled and model == Model(model.rotor),
+    }
+
+
 @lru_cache(maxsize=48)
 def _growth(
     model: Model,
@@ -189,7 +201,7 @@ def _growth(
 ) -> tuple[StabilityChart, np.ndarray]:
     """Return the growth map of (lowest θ̄, highest θ̄, largest p̄_t) and Bolotin's mask."""
     low, high, top = window
-    rows, columns, density = PIXELS[model.kind, settled]
+    rows, columns, _ = PIXELS[model.kind, settled]
     loads = (np.arange(rows) + 0.5) / rows * top
     frequencies = low + (np.arange(columns) + 0.5) / columns * (high - low)
     growth = stability_chart(
@@ -197,10 +209,7 @@ def _growth(
         static_load,
         loads,
         frequencies,
-        density=density,
-        refine=settled and model.kind == "lumped",
-        # looking for tongues thinner than a pixel is quick only in closed form
-        seed=settled and model == Model(model.rotor),
+        **map_options(model, settled),
     )
     plain = model.undamped().system(spin_speed, tangency)
     return growth, bolotin_mask(plain, static_load, loads, frequencies)
@@ -280,6 +289,13 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
     )
 
 
+def model_of(state: State) -> Model:
+    """Return the model of the present inputs."""
+    return Model(
+        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
+    )
+
+
 def solve(state: State, settled: bool = True) -> Result:
     """Return the charts and key numbers of the state's present inputs.
 
@@ -309,9 +325,7 @@ def solve(state: State, settled: bool = True) -> Result:
         )
     }
     drawn["tangency"] = state.effective_tangency()
-    drawn["model"] = Model(
-        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
-    )
+    drawn["model"] = model_of(state)
     return _solve(tuple(drawn.items()), settled)
 
 

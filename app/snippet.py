@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from .analysis import BOUNDARY_ROWS, ELEMENTS, LARGEST_SPEED, MODES, PIXELS, SPEEDS
+from .analysis import (
+    BOUNDARY_ROWS,
+    ELEMENTS,
+    LARGEST_SPEED,
+    MODES,
+    PIXELS,
+    SPEEDS,
+    map_options,
+    model_of,
+)
 from .state import State
 
 __all__ = ["python_snippet"]
@@ -36,7 +45,8 @@ def python_snippet(state: State) -> str:
     It defines `whirl`, `bolotin`, `stability`, `campbell`, `critical` and `tongues`.
     """
     rotor = state.rotor()
-    rows, columns, density = PIXELS[state.model, True]
+    rows, columns, _ = PIXELS[state.model, True]
+    options = _arguments(**map_options(model_of(state), settled=True))
     damped = bool(state.external_damping or state.internal_damping)
     maker = "lumped" if state.model == "lumped" else "finite_element, lumped"
     reference = (
@@ -81,7 +91,7 @@ bolotin = bolotin_chart({linear}, static_load, largest_load, {BOUNDARY_ROWS})
 low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency
 loads = (np.arange({rows}) + 0.5) / {rows} * largest_load
 frequencies = low + (np.arange({columns}) + 0.5) / {columns} * (high - low)
-stability = stability_chart(system, static_load, loads, frequencies, density={density!r})
+stability = stability_chart(system, static_load, loads, frequencies, {options})
 tongues = resonances(system, static_load, 0.1 * reference_load).tongues
 
 print("whirl frequencies:", whirl)
