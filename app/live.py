@@ -85,7 +85,8 @@ class LiveChart:
 
     def _rescale(self, image: np.ndarray) -> None:
         """Fit the colours to the largest growth, in steps, so that they rarely move."""
-        largest = float(np.nanmax(image)) if np.isfinite(image).any() else 0.0
+        # the few pixels of very slow loads would leave no colour for the rest
+        largest = float(np.nanpercentile(image, 98)) if np.isfinite(image).any() else 0.0
         step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
         self._colours["growth"].high = float(np.ceil(largest / step) * step) or 1.0
 

@@ -32,6 +32,7 @@ class Explore(Page):
             "disagreement": state.show_disagreement,
             "Bolotin region": state.show_bolotin,
             "boundary": state.show_bolotin,
+            "boundary name": state.show_bolotin,
         }
 
     def answer(self, state: State, settled: bool = True) -> dict[str, Any]:

@@ -129,6 +129,18 @@ def _bare_colours(plot: Any, _: Any) -> None:
     plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
 
 
+def _per_period(plot: Any, _: Any) -> None:
+    """Let the hover give the growth per unit of time and per period of the load."""
+    words = CustomJSHover(
+        args={"source": plot.handles["source"]},
+        code="""
+        const period = 2 * Math.PI / (special_vars.x * source.data.frequency[0])
+        return value ? `${value.toFixed(4)}, ${(value * period).toFixed(3)} a period` : "none"
+        """,
+    )
+    plot.handles["hover"].formatters |= {"@rate": words}
+
+
 def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
     """Return a map as an image; growth carries the colour bar and the hover."""
     (left, right), (low, high) = chart.x_range, chart.y_range
@@ -148,7 +160,7 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
             colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
             alpha=1.0 if growth else 0.4,
             tools=[_map_hover()] if growth else [],
-            hooks=[_bare_colours],
+            hooks=[_bare_colours, _per_period] if growth else [_bare_colours],
             backend="bokeh",
         )
     )
@@ -166,7 +178,7 @@ def _map_hover() -> HoverTool:
         tooltips=[
             ("θ/ωₙ", "$x{0.000}"),
             ("β_d", "$y{0.000}"),
-            ("growth σ̄", "@rate{0.0000}"),
+            ("growth σ̄", "@rate{custom}"),
             ("verdict", "@verdict{custom}"),
         ],
         formatters={"@verdict": words},

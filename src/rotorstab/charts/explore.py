@@ -93,6 +93,7 @@ def _growth_layers(
                 "image": [np.where(grid.unstable, shown, clear).astype(np.float32)],
                 "rate": [np.where(grid.unstable, grid.growth, 0.0).astype(np.float32)],
                 "verdict": [verdict],
+                "frequency": [fundamental_frequency],
                 **place,
             },
         ),
@@ -170,7 +171,7 @@ def instability_chart(
             ),
             Layer("regions", "Bolotin region", regions),
             Layer("lines", "boundary", lines.columns),
-            Layer("labels", "mode", label_columns(rows)),
+            Layer("labels", "boundary name", label_columns(rows)),
             *(
                 ()
                 if grid is None
