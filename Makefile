@@ -19,7 +19,7 @@ serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
 	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) deploy/start.sh
 
 test: lint ## every check and test, with a browser (found, or installed)
-	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest
+	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile
 
 lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file
 	$(PY) -m ruff check
@@ -30,7 +30,7 @@ lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose fil
 	$(VENV)/bin/check-jsonschema --builtin-schema vendor.compose-spec compose.yaml
 
 unit: $(VENV)/dev.stamp ## the tests that need no browser
-	$(PY) -m pytest -m "not browser"
+	$(PY) -m pytest --numprocesses auto --dist loadfile -m "not browser"
 
 bench: $(VENV)/dev.stamp ## time the solver and the redraw
 	$(PY) -m benchmarks
