@@ -130,14 +130,7 @@ def test_a_session_starts_with_the_solvers_picture(session):
     assert set(charts(session)) == set(CHARTS)
 
 
-LONG_PERIODS = pytest.mark.xfail(
-    reason="the settled map meets a singular matrix: long periods past flutter overflow"
-)
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=LONG_PERIODS) if n == "reference" else n for n in MOVES]
-)
+@pytest.mark.parametrize("name", MOVES)
 def test_each_input_moves_its_charts_to_what_the_solver_returns(session, name):
     value, moved = MOVES[name]
     before = picture(session)

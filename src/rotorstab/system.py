@@ -66,11 +66,11 @@ class System:
             "geometric",
             "spin_speed",
         ):
-            array = getattr(self, name)
+            array = np.asarray(getattr(self, name))
             if array.flags.writeable or array.base is not None or array.dtype != np.float64:
                 array = np.array(array, dtype=np.float64)
                 array.flags.writeable = False
-                object.__setattr__(self, name, array)
+            object.__setattr__(self, name, array)
 
     @property
     def size(self) -> int:
