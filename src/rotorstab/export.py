@@ -130,8 +130,9 @@ def figure_csv(figure: Figure) -> str:
     Returns
     -------
     str
-        Comment lines (title, units, parameters), then the columns panel, kind (line or
-        region), name, style, x, y: one row a point. A gap in a line has an empty y or x.
+        Comment lines (title, units, parameters), then the columns panel, kind (line, region
+        or unstable), name, style, x, y: one row a point. A gap in a line has an empty y or x.
+        A region is Bolotin's, unstable is Floquet's.
     """
     details = [figure.caption]
     details += [
@@ -142,7 +143,11 @@ def figure_csv(figure: Figure) -> str:
     rows = (
         (panel.letter, kind, one.name, one.style, x, y)
         for panel in figure.panels
-        for kind, ones in (("line", panel.series), ("region", panel.regions))
+        for kind, ones in (
+            ("line", panel.series),
+            ("region", panel.regions),
+            ("unstable", panel.unstable),
+        )
         for one in ones
         for x, y in zip(one.x, one.y, strict=True)
     )
@@ -168,6 +173,7 @@ def _panel(panel: Panel) -> dict[str, Any]:
         "y": {"label": panel.y_label, "unit": panel.y_unit, "range": list(panel.y_range)},
         "lines": [_curve(one) for one in panel.series],
         "regions": [_curve(one) for one in panel.regions],
+        "unstable": [_curve(one) for one in panel.unstable],
     }
 
 

@@ -6,11 +6,13 @@ Vector output needs no browser. The same `Figure` goes to `export` for tables.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from io import BytesIO
 from typing import Any, Literal
 
 import holoviews as hv
+import numpy as np
+from numpy.typing import NDArray
 
 from .checks import choice
 from .figures import Figure, Panel, Region, Series
@@ -31,6 +33,10 @@ _BOKEH_DASH = {"solid": "solid", "dashed": [8, 4], "dashdot": [9, 3, 2, 3], "dot
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _PANEL_INCHES = (3.2, 2.6)
 _SINGLE_INCHES = (5.6, 3.8)
+_WIDE_INCHES = (7.2, 2.75)  # with Floquet: a panel a row, for narrow tongues
+_FILL = 0.38
+_FLOQUET = "unstable (Floquet)"
+_BOLOTIN = "Bolotin region"
 _SETTINGS = {
     "font.size": 9.0,
     "font.family": "DejaVu Sans",
@@ -64,18 +70,73 @@ def _color(line: Series | Region) -> str:
     return getattr(line, "color", None) or _COLORS[line.style]
 
 
+def _edges(region: Region) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Return the left and the right edge of a region."""
+    half = region.x.size // 2
+    return [(region.x[part], region.y[part]) for part in (slice(half), slice(half, None))]
+
+
+def _unstable_hook(panel: Panel, printed: bool) -> Callable[[Any, Any], None]:
+    """Return a HoloViews hook that fills and outlines what is unstable.
+
+    A panel has a hundred thin polygons; as HoloViews elements they would take half a minute.
+    """
+
+    def draw(plot: Any, _: Any) -> None:
+        for group in dict.fromkeys(region.group for region in panel.unstable):
+            regions = [region for region in panel.unstable if region.group == group]
+            color, style = _color(regions[0]), regions[0].style
+            edges = [edge for region in regions for edge in _edges(region)]
+            if printed:
+                from matplotlib.collections import LineCollection, PolyCollection
+
+                axes = plot.handles["axis"]
+                shapes = [np.column_stack([region.x, region.y]) for region in regions]
+                axes.add_collection(
+                    PolyCollection(
+                        shapes,
+                        facecolor=color,
+                        edgecolor="none",
+                        alpha=_FILL,
+                        zorder=1,
+                        label=group,
+                    ),
+                    autolim=False,
+                )
+                # the thinnest tongue is seen by its outline
+                axes.add_collection(
+                    LineCollection(
+                        [np.column_stack(edge) for edge in edges],
+                        colors=color,
+                        linestyles=[_MATPLOTLIB_DASH[style]],
+                        linewidths=0.8,
+                        zorder=1.5,
+                    ),
+                    autolim=False,
+                )
+            else:
+                xs, ys = [region.x for region in regions], [region.y for region in regions]
+                plot.state.patches(xs, ys, fill_color=color, fill_alpha=_FILL, line_color=None)
+                xs, ys = (list(column) for column in zip(*edges, strict=True))
+                plot.state.multi_line(xs, ys, color=color, line_dash=_BOKEH_DASH[style])
+
+    return draw
+
+
 def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
     """Return one panel: shaded regions below, lines above."""
     printed = backend == "matplotlib"
+    thin = bool(panel.unstable and panel.regions)  # Bolotin's part steps back
+    shade = 0.09 if thin else 0.14
     axes = (panel.x_label, panel.y_label)
     shades = [
         hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
             **(
-                {"facecolor": hv.Cycle([_color(region)]), "edgecolor": "none", "alpha": 0.14}
+                {"facecolor": hv.Cycle([_color(region)]), "edgecolor": "none", "alpha": shade}
                 if printed
                 else {
                     "fill_color": _color(region),
-                    "fill_alpha": 0.14,
+                    "fill_alpha": shade,
                     "line_alpha": 0.0,
                     "xlabel": axes[0],
                     "ylabel": axes[1],
@@ -88,11 +149,12 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
     lines = [
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
             **(
-                {"linestyle": _MATPLOTLIB_DASH[line.style], "linewidth": 1.3}
+                {"linestyle": _MATPLOTLIB_DASH[line.style], "linewidth": 0.7 if thin else 1.3}
                 if printed
-                else {"line_dash": _BOKEH_DASH[line.style], "line_width": 2}
+                else {"line_dash": _BOKEH_DASH[line.style], "line_width": 1 if thin else 2}
             ),
             color=_color(line),
+            alpha=0.5 if thin else 1.0,
             backend=backend,
         )
         for line in panel.series
@@ -119,6 +181,7 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
             ylabel=label_y,
             xlim=panel.x_range,
             ylim=panel.y_range,
+            hooks=[_unstable_hook(panel, printed)] if panel.unstable else [],
             show_legend=not printed,
             backend=backend,
             **({"aspect": _PANEL_INCHES[0] / _PANEL_INCHES[1]} if printed else {}),
@@ -128,6 +191,8 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
 
 def _columns(figure: Figure) -> int:
     """Return how many panels stand side by side."""
+    if figure.has_floquet:
+        return 1
     return 2 if len(figure.panels) in (2, 4) else min(3, len(figure.panels))
 
 
@@ -159,6 +224,8 @@ def paper_layout(
 
 def _finish(axes: Any, panel: Panel) -> None:
     """Frame, title and labels: above the frame at its top edge, else beside the line."""
+    from matplotlib.patheffects import withStroke
+
     title = _mathtext(f"({panel.letter}) {panel.title}") if panel.letter else ""
     axes.set_title(title, pad=12 if panel.regions else 6)
     axes.set_aspect("auto")
@@ -181,6 +248,21 @@ def _finish(axes: Any, panel: Panel) -> None:
             fontsize=7.0,
             color="#444444",
             annotation_clip=False,
+        )
+    halo = [withStroke(linewidth=2.2, foreground="white")]
+    for mark in panel.marks:
+        axes.annotate(
+            mark.text,
+            (mark.x, mark.y),
+            xytext=(3, 0),
+            textcoords="offset points",
+            ha="left",
+            va="bottom",
+            rotation=90 if mark.vertical else 0,
+            fontsize=7.0,
+            fontweight="bold",
+            color="#222222",
+            path_effects=halo,
         )
 
 
@@ -228,16 +310,27 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
     return files
 
 
+def _kinds(figure: Figure) -> list[tuple[str, float]]:
+    """Return the legend's entries of filled areas with their opacity, where there are two."""
+    if not figure.has_floquet:
+        return []
+    bolotin = any(panel.regions for panel in figure.panels)
+    return [(_BOLOTIN, 0.14)] * bolotin + [(_FLOQUET, 0.5)]
+
+
 def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
     """Place the panels, the common legend and the caption of a rendered layout."""
     from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
 
     columns = _columns(figure)
     rows = -(-len(figure.panels) // columns)
     across, down = _PANEL_INCHES if columns > 1 else _SINGLE_INCHES
+    if figure.has_floquet:
+        across, down = _WIDE_INCHES
     groups = figure.groups()
-    entries = max(2, int(columns * across / 2.6))  # in a row of the legend
-    lower = 0.35 + 0.18 * -(-len(groups) // entries)
+    entries = max(2, int(columns * across / (1.44 if figure.has_floquet else 2.6)))
+    lower = 0.35 + 0.18 * -(-(len(groups) + len(_kinds(figure))) // entries)
     width, height = columns * across, rows * down + lower
     drawn.set_size_inches(width, height)
     axes = [one for one in drawn.axes if one.get_title()]
@@ -252,21 +345,26 @@ def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
             )
         )
         _finish(one, panel)
+    handles: list[Any] = [
+        Line2D(
+            [],
+            [],
+            color=_color(line),
+            linestyle=_MATPLOTLIB_DASH[line.style] if line.x.size > 1 else "",
+            marker="" if line.x.size > 1 else "D",
+        )
+        for line in groups.values()
+    ]
+    names = [_mathtext(group) for group in groups]
+    for name, alpha in _kinds(figure):
+        handles.append(Patch(facecolor="#444444", alpha=alpha, edgecolor="none"))
+        names.append(name)
     drawn.legend(
-        handles=[
-            Line2D(
-                [],
-                [],
-                color=_color(line),
-                linestyle=_MATPLOTLIB_DASH[line.style] if line.x.size > 1 else "",
-                marker="" if line.x.size > 1 else "D",
-            )
-            for line in groups.values()
-        ],
-        labels=[_mathtext(group) for group in groups],
+        handles=handles,
+        labels=names,
         loc="lower center",
         bbox_to_anchor=(0.5, 0.24 / height),
-        ncols=min(entries, len(groups)),
+        ncols=min(entries, len(names)),
         frameon=False,
         handlelength=3.4,
     )

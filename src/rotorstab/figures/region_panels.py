@@ -1,4 +1,4 @@
-"""Panels of Bolotin regions in the plane of θ/ω_n and β_d."""
+"""Panels of Bolotin regions, and of what is unstable, in the plane of θ/ω_n and β_d."""
 
 from __future__ import annotations
 
@@ -9,23 +9,44 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..bolotin import bolotin_chart
+from ..outlines import unstable_outlines
+from ..resonance import resonances
 from ..system import System
-from .structure import Panel, Region, Series, Style
+from .structure import Mark, Panel, Region, Series, Style
 
-__all__ = ["Variant", "region_panel"]
+__all__ = ["LOWEST", "Variant", "region_panel"]
+
+LOWEST = 0.2
+"""θ/ω_n from which Floquet looks: below, tongues of ever higher order crowd together."""
 
 _MODES = ("1B", "1F", "2B", "2F")
+_NAME_WIDTH = 0.06  # of the axis: room for the name of one tongue
+_NAME_HEIGHT = 0.09
 
 
 @dataclass(frozen=True, eq=False)
 class Variant:
-    """One system in a panel, and what its loads are measured by."""
+    """One system in a panel, and what its loads are measured by.
+
+    Floquet may take another system in its place, with fewer coordinates.
+    """
 
     group: str
     style: Style
     system: System
     static_factor: float
     reference_load: float
+    floquet_system: System | None = None
+
+    @property
+    def mean_load(self) -> float:
+        """The steady part of the load."""
+        return self.static_factor * self.reference_load
+
+    @property
+    def true_system(self) -> System:
+        """The system whose multipliers are computed."""
+        return self.floquet_system or self.system
 
 
 def _rightmost(series: Sequence[Series]) -> float:
@@ -59,16 +80,75 @@ def _draw(
     return series, regions
 
 
+def _unstable(
+    variant: Variant, frequency: float, largest_factor: float, highest: float
+) -> list[Region]:
+    """Return what Floquet finds unstable of a variant, up to θ/ω_n of `highest`."""
+    reference = variant.reference_load
+    pieces = unstable_outlines(
+        variant.true_system,
+        variant.mean_load,
+        largest_factor * reference,
+        LOWEST * frequency,
+        highest * frequency,
+    )
+    regions = []
+    for count, one in enumerate(pieces, 1):
+        order = f", order {one.order}" if one.order > 1 else ""
+        name = f"{variant.group}, unstable {count}" + (f" ({one.name}{order})" if one.name else "")
+        x = np.concatenate([one.left, one.right[::-1]]) / frequency
+        y = np.concatenate([one.pulsating_loads, one.pulsating_loads[::-1]]) / reference
+        regions.append(Region(name, variant.group, variant.style, x, y))
+    return regions
+
+
+def _names(
+    variants: Sequence[Variant], frequency: float, largest_factor: float, highest: float
+) -> tuple[Mark, ...]:
+    """Name every tongue of first order once, right of its root, clear of other names."""
+    roots: dict[str, float] = {}
+    for variant in variants:
+        table = resonances(variant.true_system, variant.mean_load, variant.reference_load)
+        for row in table.tongues:
+            x = row.centre / frequency
+            if LOWEST <= x <= highest:
+                roots[row.name] = max(x, roots.get(row.name, 0.0))
+    merged: dict[float, list[str]] = {}
+    for name, x in sorted(roots.items(), key=lambda item: item[1]):
+        near = next((other for other in merged if x - other < 0.004 * highest), x)
+        merged.setdefault(near, []).append(name)
+    marks: list[Mark] = []
+    for x, names in merged.items():
+        text = ", ".join(sorted(names))
+        room = _NAME_WIDTH * highest * len(names)
+        x = min(x, highest - room)
+        level = 0
+        while any(
+            one.y == _level(level) * largest_factor
+            and one.x - room < x < one.x + _NAME_WIDTH * highest * (1 + one.text.count(","))
+            for one in marks
+        ):
+            level += 1
+        marks.append(Mark(x, _level(level) * largest_factor, text))
+    return tuple(marks)
+
+
+def _level(step: int) -> float:
+    return 0.015 + _NAME_HEIGHT * step
+
+
 def region_panel(
     letter: str,
     title: str,
     variants: Sequence[Variant],
     frequency: float,
     largest_factor: float,
+    floquet: bool = False,
 ) -> Panel:
     """Return a panel with every variant's regions and boundaries.
 
-    Labels name the first variant's boundaries at their upper ends.
+    Labels name the first variant's boundaries at their upper ends. With Floquet it also has
+    every variant's unstable set.
     """
     series: list[Series] = []
     regions: list[Region] = []
@@ -76,7 +156,12 @@ def region_panel(
         lines, shades = _draw(variant, frequency, largest_factor)
         series += lines
         regions += shades
-    top = _rightmost(series)
+    highest = float(max(1, math.ceil(1.02 * _rightmost(series))))
+    unstable = [
+        region
+        for variant in variants
+        for region in (_unstable(variant, frequency, largest_factor, highest) if floquet else ())
+    ]
     return Panel(
         letter=letter,
         title=title,
@@ -91,6 +176,8 @@ def region_panel(
             for one in series[: len(_MODES)]
             if np.isfinite(one.x[-1])
         ),
-        x_range=(0.0, float(max(1, math.ceil(1.02 * top)))),
+        x_range=(0.0, highest),
         y_range=(0.0, largest_factor),
+        unstable=tuple(unstable),
+        marks=_names(variants, frequency, largest_factor, highest) if floquet else (),
     )

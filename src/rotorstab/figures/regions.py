@@ -6,11 +6,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from scipy.linalg import eigh
+
 from ..critical import critical_load
 from ..finite_element import finite_element
 from ..rotor import BASE_CASE, TABLE_1_SI, ShaftDisk
-from ..system import fundamental_frequency, lumped
-from .region_panels import Variant, region_panel
+from ..system import System, fundamental_frequency, lumped
+from .floquet_readings import (
+    read_floquet_4,
+    read_floquet_5,
+    read_floquet_6,
+    read_floquet_7,
+    read_floquet_9,
+)
+from .region_panels import LOWEST, Variant, region_panel
 from .region_readings import (
     read_figure_4,
     read_figure_5,
@@ -18,13 +27,39 @@ from .region_readings import (
     read_figure_7,
     read_figure_9,
 )
-from .structure import Figure, Style, parameters
+from .structure import Figure, Statement, Style, parameters
 
 __all__ = ["figure_4", "figure_5", "figure_6", "figure_7", "figure_9"]
 
 _STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot")
 _SPINS = (0.0, 1.0, 2.0)
 _FACTORS = (0.0, 0.2, 0.5)
+_FLOQUET = (
+    " Pale and thin: Bolotin regions. Full: unstable by Floquet, tongues of first order named by "
+    f"their mode pair, the others of order k at θ = |ω_i − ω_j|/k; sought from θ/ω_n = {LOWEST:g}."
+)
+
+
+def _two_modes(system: System, static_load: float) -> System:
+    """Return a system kept to the first two free vibration modes under its steady load.
+
+    Under an axial load and at a slow spin its tongues of the first two modes are within 1e-3 of
+    the whole system's.
+    """
+    stiffness = system.load_stiffness(static_load)
+    modes = eigh(stiffness, system.mass, subset_by_index=(0, 1))[1]
+    names = ("mass", "gyroscopic", "external_damping", "internal_damping", "elastic", "geometric")
+    return replace(system, **{name: modes.T @ getattr(system, name) @ modes for name in names})
+
+
+def _with_floquet(figure: Figure, more: Sequence[Statement]) -> Figure:
+    """Return a figure, its panels drawn with Floquet, with the words that belong to it."""
+    return replace(
+        figure,
+        caption=figure.caption + _FLOQUET,
+        parameters={**figure.parameters, "floquet_from": LOWEST},
+        reading=(*figure.reading, *more),
+    )
 
 
 def figure_4(
@@ -33,6 +68,7 @@ def figure_4(
     elements: int = 20,
     modes: int = 6,
     largest_factor: float = 1.0,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 4: the lumped model against finite elements, Table 1's rotor.
 
@@ -46,6 +82,8 @@ def figure_4(
         Of `finite_element`; 6 modes are within 1e-5 of all.
     largest_factor : float
         Top of the β_d axis.
+    floquet : bool
+        Whether to add what is unstable, and what of the text survives.
 
     Returns
     -------
@@ -55,22 +93,25 @@ def figure_4(
     rotor, scales = ShaftDisk.from_si(**TABLE_1_SI)
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
-    panels = []
+    panels, drawn = [], []
     for letter, rpm in zip("abcdef", speeds_rpm, strict=False):
         spin = rpm * 2 * math.pi / 60 / scales.frequency
+        comparator = finite_element(rotor, spin, elements=elements, modes=modes)
         variants = [
             Variant("present", "solid", lumped(rotor, spin), static_factor, reference),
             Variant(
                 "finite element",
                 "dashed",
-                finite_element(rotor, spin, elements=elements, modes=modes),
+                comparator,
                 static_factor,
                 reference,
+                _two_modes(comparator, static_factor * reference) if floquet else None,
             ),
         ]
         title = f"Ω = {rpm:g} r.p.m."
-        panels.append(region_panel(letter, title, variants, frequency, largest_factor))
-    return Figure(
+        drawn.append(variants)
+        panels.append(region_panel(letter, title, variants, frequency, largest_factor, floquet))
+    figure = Figure(
         number=4,
         title=f"Bolotin regions by two models, α_s = {static_factor:g}",
         caption="Solid: present (lumped) model. Dashed: finite elements.",
@@ -87,6 +128,7 @@ def figure_4(
         panels=tuple(panels),
         reading=read_figure_4(tuple(panels), rotor),
     )
+    return _with_floquet(figure, read_floquet_4(figure.panels, drawn)) if floquet else figure
 
 
 def figure_5(
@@ -94,6 +136,7 @@ def figure_5(
     spin_speeds: Sequence[float] = _SPINS,
     static_factor: float = 0.5,
     largest_factor: float = 1.0,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 5: Timoshenko against Euler–Bernoulli shaft, axial load.
 
@@ -107,6 +150,8 @@ def figure_5(
         α_s.
     largest_factor : float
         Top of the β_d axis.
+    floquet : bool
+        Whether to add what is unstable, and what of the text survives.
 
     Returns
     -------
@@ -118,7 +163,7 @@ def figure_5(
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     twin = replace(rotor, shear=0.0)
-    panels = []
+    panels, drawn = [], []
     for letter, spin in zip("abcdef", spin_speeds, strict=False):
         variants = [
             Variant(group, style, lumped(shaft, spin), static_factor, reference)
@@ -126,8 +171,11 @@ def figure_5(
                 ("Timoshenko", "Euler–Bernoulli"), _STYLES, (rotor, twin), strict=False
             )
         ]
-        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
-    return Figure(
+        drawn.append(variants)
+        panels.append(
+            region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor, floquet)
+        )
+    figure = Figure(
         number=5,
         title=f"Effect of shear deformation, axial load, α_s = {static_factor:g}",
         caption="Solid: Timoshenko beam theory. Dashed: Euler–Bernoulli beam theory.",
@@ -142,6 +190,7 @@ def figure_5(
         panels=tuple(panels),
         reading=read_figure_5(tuple(panels), rotor, static_factor),
     )
+    return _with_floquet(figure, read_floquet_5(figure.panels, drawn)) if floquet else figure
 
 
 def _static_factor_figure(
@@ -151,24 +200,28 @@ def _static_factor_figure(
     spin_speeds: Sequence[float],
     static_factors: Sequence[float],
     largest_factor: float,
+    floquet: bool,
 ) -> Figure:
-    """Return Fig. 6 or 7 without its reading."""
+    """Return Fig. 6 or 7 with its reading."""
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
-    panels = []
+    panels, drawn = [], []
     for letter, spin in zip("abcdef", spin_speeds, strict=False):
         system = lumped(rotor, spin, tangency)
         variants = [
             Variant(f"α_s = {factor:g}", style, system, factor, reference)
             for factor, style in zip(static_factors, _STYLES, strict=False)
         ]
-        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
+        drawn.append(variants)
+        panels.append(
+            region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor, floquet)
+        )
     kind = "follower" if tangency else "axial"
     lines = "; ".join(
         f"{style.replace('dashdot', 'dash-dot')}: α_s = {factor:g}"
         for factor, style in zip(static_factors, _STYLES, strict=False)
     )
-    return Figure(
+    figure = Figure(
         number=number,
         title=f"Effect of the static load factor, {kind} load",
         caption=f"{lines[0].upper()}{lines[1:]}.",
@@ -182,6 +235,9 @@ def _static_factor_figure(
         ),
         panels=tuple(panels),
     )
+    plain, true = (read_figure_7, read_floquet_7) if tangency else (read_figure_6, read_floquet_6)
+    figure = replace(figure, reading=plain(figure.panels))
+    return _with_floquet(figure, true(figure.panels, drawn)) if floquet else figure
 
 
 def figure_6(
@@ -189,6 +245,7 @@ def figure_6(
     spin_speeds: Sequence[float] = _SPINS,
     static_factors: Sequence[float] = _FACTORS,
     largest_factor: float = 1.0,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 6: effect of the static load factor, axial load.
 
@@ -201,13 +258,16 @@ def figure_6(
         α_s, a line style each.
     largest_factor : float
         Top of the β_d axis.
+    floquet : bool
+        Whether to add what is unstable, and what of the text survives.
 
     Returns
     -------
     Figure
     """
-    figure = _static_factor_figure(6, 0.0, rotor, spin_speeds, static_factors, largest_factor)
-    return replace(figure, reading=read_figure_6(figure.panels))
+    return _static_factor_figure(
+        6, 0.0, rotor, spin_speeds, static_factors, largest_factor, floquet
+    )
 
 
 def figure_7(
@@ -215,13 +275,15 @@ def figure_7(
     spin_speeds: Sequence[float] = _SPINS,
     static_factors: Sequence[float] = _FACTORS,
     largest_factor: float = 1.0,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 7: effect of the static load factor, follower load; see `figure_6`.
 
     The load factors are measured by the static buckling load here too.
     """
-    figure = _static_factor_figure(7, 1.0, rotor, spin_speeds, static_factors, largest_factor)
-    return replace(figure, reading=read_figure_7(figure.panels))
+    return _static_factor_figure(
+        7, 1.0, rotor, spin_speeds, static_factors, largest_factor, floquet
+    )
 
 
 def figure_9(
@@ -229,6 +291,7 @@ def figure_9(
     spin_speeds: Sequence[float] = _SPINS,
     static_factor: float = 0.5,
     largest_factor: float = 1.0,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 9: axial against follower load at one static load factor.
 
@@ -241,6 +304,8 @@ def figure_9(
         α_s.
     largest_factor : float
         Top of the β_d axis.
+    floquet : bool
+        Whether to add what is unstable, and what of the text survives.
 
     Returns
     -------
@@ -248,7 +313,7 @@ def figure_9(
     """
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
-    panels = []
+    panels, drawn = [], []
     for letter, spin in zip("abcdef", spin_speeds, strict=False):
         variants = [
             Variant(group, style, lumped(rotor, spin, tangency), static_factor, reference)
@@ -256,8 +321,11 @@ def figure_9(
                 ("axial force", "follower force"), _STYLES, (0.0, 1.0), strict=False
             )
         ]
-        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
-    return Figure(
+        drawn.append(variants)
+        panels.append(
+            region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor, floquet)
+        )
+    figure = Figure(
         number=9,
         title=f"Effect of the loading type, α_s = {static_factor:g}",
         caption="Solid: axial force. Dashed: follower force.",
@@ -271,3 +339,4 @@ def figure_9(
         panels=tuple(panels),
         reading=read_figure_9(tuple(panels)),
     )
+    return _with_floquet(figure, read_floquet_9(figure.panels, drawn)) if floquet else figure

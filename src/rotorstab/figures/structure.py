@@ -13,6 +13,7 @@ from ..rotor import ShaftDisk
 
 __all__ = [
     "Figure",
+    "Mark",
     "Panel",
     "Region",
     "Series",
@@ -25,7 +26,14 @@ __all__ = [
 
 Array = NDArray[np.float64]
 Style = Literal["solid", "dashed", "dashdot", "dotted"]
-Verdict = Literal["agree", "differ", "agree in part"]
+Verdict = Literal[
+    "agree",
+    "differ",
+    "agree in part",
+    "survives",
+    "does not survive",
+    "survives in part",
+]
 Value = float | str | list[float] | None
 
 
@@ -69,7 +77,10 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """One shaded polygon (x, y), each (m,) float, closed from last to first point."""
+    """One shaded polygon (x, y), each (m,) float, closed from last to first point.
+
+    The first half of the points goes up its left edge, the second down its right one.
+    """
 
     name: str
     group: str
@@ -81,6 +92,16 @@ class Region:
         """Make the arrays read-only."""
         object.__setattr__(self, "x", _frozen(self.x))
         object.__setattr__(self, "y", _frozen(self.y))
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A text at a point: the name of a tongue; vertical texts run upwards."""
+
+    x: float
+    y: float
+    text: str
+    vertical: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,6 +122,10 @@ class Panel:
         Texts beside lines.
     x_range, y_range : (float, float)
         Of the axes.
+    unstable : tuple of Region
+        Where Floquet finds the rotor unstable; `regions` are Bolotin's.
+    marks : tuple of Mark
+        Names of tongues.
     """
 
     letter: str
@@ -114,6 +139,8 @@ class Panel:
     y_range: tuple[float, float]
     regions: tuple[Region, ...] = ()
     labels: tuple[tuple[float, float, str], ...] = ()
+    unstable: tuple[Region, ...] = ()
+    marks: tuple[Mark, ...] = ()
 
     def group(self, name: str) -> tuple[Series, ...]:
         """Return the series of one group."""
@@ -130,7 +157,8 @@ class Statement:
         What the paper says, in short.
     ours : str
         What was computed, with its numbers.
-    verdict : {"agree", "differ", "agree in part"}
+    verdict : {"agree", "differ", "agree in part"} or "survives" and its like
+        The first three compare the text with the paper's own method, the others with Floquet.
     note : str
         Why they differ, or how far the statement goes; may be empty.
     """
@@ -168,6 +196,11 @@ class Figure:
     def panel(self, letter: str) -> Panel:
         """Return the panel of that letter."""
         return next(panel for panel in self.panels if panel.letter == letter)
+
+    @property
+    def has_floquet(self) -> bool:
+        """Whether it shows what Floquet finds unstable."""
+        return any(panel.unstable for panel in self.panels)
 
     def groups(self) -> dict[str, Series]:
         """Return one line of every group, in the order of drawing, dotted last."""

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 
 from .structure import Array, Panel, Verdict
 
-__all__ = ["boundaries", "groups", "judge", "percent", "right_of", "say"]
+__all__ = ["boundaries", "groups", "judge", "listed", "percent", "right_of", "say", "uphold"]
 
 _MODES = ("1B", "1F", "2B", "2F")
 
@@ -16,6 +18,18 @@ def judge(*facts: bool | np.bool_) -> Verdict:
     if all(facts):
         return "agree"
     return "agree in part" if any(facts) else "differ"
+
+
+def uphold(*facts: bool | np.bool_) -> Verdict:
+    """Return "survives" where Floquet confirms all facts, "does not survive" where none."""
+    if all(facts):
+        return "survives"
+    return "survives in part" if any(facts) else "does not survive"
+
+
+def listed(values: Iterable[float], decimals: int = 3) -> str:
+    """Write numbers one after the other."""
+    return ", ".join(f"{value:.{decimals}f}" for value in values)
 
 
 def say(fact: bool | np.bool_, yes: str, no: str) -> str:
