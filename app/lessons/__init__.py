@@ -3,10 +3,12 @@
 Format and quantities: docs/lessons.md.
 """
 
-from .format import Lesson, LessonError, Question, Step, parse
+from .format import Lesson, Step, parse
 from .grading import Grade, Unanswerable, grade, solution
 from .library import Problem, library, read_folder
 from .quantities import QUANTITIES, Quantity
+from .questions import Question
+from .tables import LessonError
 
 __all__ = [
     "QUANTITIES",

@@ -1,91 +1,26 @@
-"""A lesson's file: TOML between +++ lines, then Markdown with steps. docs/lessons.md describes it."""
+"""A lesson's file: TOML between +++ lines, then Markdown with steps; see docs/lessons.md."""
 
 from __future__ import annotations
 
-import re
-import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from markdown_it.token import Token
 
 from ..state import State
-from .expressions import DEFAULT_CASE, Condition, Expression, read_condition, read_expression
 from .markdown import inline, render, tokens
-from .quantities import LARGEST_LOAD, find
+from .quantities import find
+from .questions import Question, case_inputs, read_question
+from .tables import LessonError, Table, set_inputs
 
-__all__ = ["LONGEST_FILE", "Choice", "Lesson", "LessonError", "Question", "Step", "parse"]
+__all__ = ["LONGEST_FILE", "Lesson", "Step", "parse"]
 
 LONGEST_FILE = 100_000  # characters
 _MOST_STEPS = 30
-_LONGEST_LINE = 600
 _PARTS = ("predict", "try", "see")
 _BLOCKS = ("set", "question", "show")
 _CHARTS = ("instability", "load-frequency", "campbell")
-_PERCENT = re.compile(r"(\d{1,3}(?:\.\d{1,3})?) ?%")
-
-
-class LessonError(ValueError):
-    """What is wrong with a lesson's file, and in which line."""
-
-    def __init__(self, line: int, reason: str) -> None:
-        super().__init__(f"line {line}: {reason}")
-        self.line = line
-        self.reason = reason
-
-
-@dataclass(frozen=True)
-class Choice:
-    """One answer to choose; it is right if its condition holds."""
-
-    text: str
-    when: Condition
-    hint: str = ""
-
-
-@dataclass(frozen=True)
-class Question:
-    """A question of one of three kinds: a number, a choice, or a goal to reach on the chart.
-
-    Parameters
-    ----------
-    ask, hint : str
-        HTML.
-    answer : Expression or None
-        Of a number.
-    choices : tuple of Choice
-        Of a choice.
-    goal : Condition or None
-        Of a goal: it must hold for the inputs as the student has set them.
-    tolerance : float
-        Absolute, or a share if `relative`.
-    range : (float, float) or None
-        Of a number that is sensible.
-    unit : str
-        Shown behind a number.
-    cases : mapping
-        Inputs that differ from those after Try, by the case's name.
-    line : int
-        Where it stands in the file.
-    """
-
-    ask: str
-    hint: str
-    answer: Expression | None
-    choices: tuple[Choice, ...]
-    goal: Condition | None
-    tolerance: float
-    relative: bool
-    range: tuple[float, float] | None
-    unit: str
-    cases: Mapping[str, Mapping[str, Any]]
-    line: int
-
-    @property
-    def kind(self) -> str:
-        """What sort of question it is."""
-        return "number" if self.answer else "goal" if self.goal else "choice"
 
 
 @dataclass(frozen=True)
@@ -134,157 +69,13 @@ class _Draft:
     title: str
     line: int
     parts: dict[str, list[Token]] = field(default_factory=dict)
-    entry: list[tuple[dict[str, Any], _Table]] = field(default_factory=list)
-    attempt: list[tuple[dict[str, Any], _Table]] = field(default_factory=list)
-    question: tuple[dict[str, Any], _Table] | None = None
-    show: tuple[dict[str, Any], _Table] | None = None
+    entry: list[tuple[dict[str, Any], Table]] = field(default_factory=list)
+    attempt: list[tuple[dict[str, Any], Table]] = field(default_factory=list)
+    question: tuple[dict[str, Any], Table] | None = None
+    show: tuple[dict[str, Any], Table] | None = None
 
 
-@dataclass(frozen=True)
-class _Table:
-    """A piece of TOML and where it stands, to name the line of a fault."""
-
-    text: str
-    line: int  # of its first line
-
-    def read(self) -> dict[str, Any]:
-        try:
-            return tomllib.loads(self.text)
-        except tomllib.TOMLDecodeError as error:
-            found = re.search(r"at line (\d+)", str(error))
-            at = int(found[1]) - 1 if found else self.text.count("\n")
-            reason = re.sub(r" \(at .*\)$", "", str(error))
-            raise LessonError(self.line + at, f"TOML: {reason[:200]}") from None
-        except (ValueError, RecursionError) as error:
-            raise LessonError(self.line, f"TOML: {str(error)[:200]}") from None
-
-    def where(self, key: str) -> int:
-        for number, line in enumerate(self.text.splitlines()):
-            if re.match(rf"\s*\[*\s*{re.escape(key)}\b", line):
-                return self.line + number
-        return self.line
-
-    def error(self, key: str, reason: str) -> LessonError:
-        return LessonError(self.where(key), reason)
-
-    def only(self, values: Mapping[str, Any], allowed: tuple[str, ...], what: str) -> None:
-        for key in values:
-            if key not in allowed:
-                raise self.error(key, f"{what} has no {key[:40]!r}; known: {', '.join(allowed)}")
-
-    def line_of_text(
-        self, values: Mapping[str, Any], key: str, needed: bool = True, what: str = ""
-    ) -> str:
-        value = values.get(key, None if needed else "")
-        if not isinstance(value, str) or (needed and not value.strip()):
-            raise self.error(key, f"{what or key} must be a text")
-        if len(value) > _LONGEST_LINE:
-            raise self.error(key, f"{what or key} is longer than {_LONGEST_LINE} characters")
-        return value.strip()
-
-
-def _inputs(given: Mapping[str, Any], on: Mapping[str, Any], table: _Table) -> dict[str, Any]:
-    """Return all inputs after some were set; what the page would refuse is an error."""
-    state = State(**on)
-    refused = state.change(given)
-    if refused:
-        name, why = next(iter(refused.items()))
-        raise table.error(name, f"{name}: {why}")
-    return state.inputs()
-
-
-def _tolerance(values: Mapping[str, Any], table: _Table, number: bool) -> tuple[float, bool]:
-    value = values.get("tolerance", "2 %" if number else "1 %")
-    if isinstance(value, str) and (found := _PERCENT.fullmatch(value.strip())):
-        share = float(found[1]) / 100
-        if 0 < share <= 0.5:
-            return share, True
-    elif number and isinstance(value, int | float) and not isinstance(value, bool):
-        if 0 < value < 1e6:
-            return float(value), False
-    raise table.error(
-        "tolerance",
-        'tolerance must be a share such as "5 %", up to 50 %'
-        + (", or a number above 0" if number else ""),
-    )
-
-
-def _range(values: Mapping[str, Any], table: _Table) -> tuple[float, float] | None:
-    if "range" not in values:
-        return None
-    match values["range"]:
-        case [int() | float() as low, int() | float() as high] if -1e6 < low < high < 1e6:
-            return float(low), float(high)
-    raise table.error("range", "range must be two numbers, the smaller first")
-
-
-def _question(values: dict[str, Any], table: _Table) -> Question:
-    kinds = [key for key in ("answer", "choices", "goal") if key in values]
-    if len(kinds) != 1:
-        raise table.error("ask", "a question has one of answer, choices, goal")
-    (kind,) = kinds
-    allowed = {
-        "answer": ("ask", "hint", "answer", "tolerance", "range", "unit", "cases"),
-        "choices": ("ask", "hint", "choices", "tolerance", "cases"),
-        "goal": ("ask", "hint", "goal", "tolerance", "cases"),
-    }[kind]
-    table.only(values, allowed, "this question")
-    answer, goal, choices = None, None, []
-    try:
-        if kind == "answer":
-            answer = read_expression(table.line_of_text(values, "answer"))
-        elif kind == "goal":
-            goal = read_condition(table.line_of_text(values, "goal"))
-    except LessonError:
-        raise
-    except ValueError as error:
-        raise table.error(kind, f"{kind}: {error}") from None
-    if kind == "choices":
-        choices = list(_choices(values["choices"], table))
-    cases = values.get("cases", {})
-    if not isinstance(cases, dict) or not all(isinstance(one, dict) for one in cases.values()):
-        raise table.error("cases", "cases must be tables of parameters")
-    if {"before", DEFAULT_CASE} & set(cases):
-        raise table.error("cases", "the cases before and after are made by the step itself")
-    used = [*(answer.terms if answer else ()), *(goal.terms if goal else ())]
-    used += [term for one in choices for term in one.when.terms]
-    for term in used:
-        if term.case not in ("before", DEFAULT_CASE, *cases):
-            raise table.error(kind, f"{kind}: there is no case {term.case!r}")
-    tolerance, relative = _tolerance(values, table, kind == "answer")
-    return Question(
-        ask=inline(table.line_of_text(values, "ask")),
-        hint=inline(table.line_of_text(values, "hint")),
-        answer=answer,
-        choices=tuple(choices),
-        goal=goal,
-        tolerance=tolerance,
-        relative=relative,
-        range=_range(values, table),
-        unit=inline(table.line_of_text(values, "unit", needed=False)),
-        cases=cases,
-        line=table.line,
-    )
-
-
-def _choices(given: Any, table: _Table) -> Iterator[Choice]:
-    if not isinstance(given, list) or not 2 <= len(given) <= 8:
-        raise table.error("choices", "choices must be a list of two to eight")
-    for one in given:
-        if not isinstance(one, dict):
-            raise table.error("choices", "each choice is a table with text and when")
-        table.only(one, ("text", "when", "hint"), "a choice")
-        what = "a choice's "
-        text = table.line_of_text(one, "text", what=what + "text")
-        when = table.line_of_text(one, "when", what=what + "when")
-        hint = table.line_of_text(one, "hint", needed=False, what=what + "hint")
-        try:
-            yield Choice(inline(text), read_condition(when), inline(hint))
-        except ValueError as error:
-            raise table.error("choices", f"choices: {error}") from None
-
-
-def _list(values: Mapping[str, Any], key: str, table: _Table) -> tuple[str, ...]:
+def _list(values: Mapping[str, Any], key: str, table: Table) -> tuple[str, ...]:
     value = values.get(key, [])
     names = [value] if isinstance(value, str) else value
     if not isinstance(names, list) or len(names) > 8:
@@ -303,13 +94,13 @@ def _list(values: Mapping[str, Any], key: str, table: _Table) -> tuple[str, ...]
     return tuple(names)
 
 
-def _front(lines: list[str]) -> tuple[_Table, int]:
+def _front(lines: list[str]) -> tuple[Table, int]:
     """Return the front matter and the number of the line after it."""
     if not lines or lines[0].strip() != "+++":
         raise LessonError(1, "the file must begin with a line +++")
     for number, line in enumerate(lines[1:], 1):
         if line.strip() == "+++":
-            return _Table("\n".join(lines[1:number]), 2), number + 1
+            return Table("\n".join(lines[1:number]), 2), number + 1
     raise LessonError(1, "the parameters have no closing line +++")
 
 
@@ -344,7 +135,7 @@ def _drafts(text: str, offset: int) -> tuple[list[Token], list[_Draft]]:
         if block.type == "fence" and block.info.strip() in _BLOCKS and block.level == 0:
             if not drafts:
                 raise LessonError(line, f"a {block.info.strip()} block belongs into a step")
-            _gather(drafts[-1], block.info.strip(), _Table(block.content, line + 1))
+            _gather(drafts[-1], block.info.strip(), Table(block.content, line + 1))
             continue
         if drafts and not drafts[-1].parts:
             raise LessonError(line, "a step's text belongs under ### Predict, ### Try or ### See")
@@ -352,7 +143,7 @@ def _drafts(text: str, offset: int) -> tuple[list[Token], list[_Draft]]:
     return intro, drafts
 
 
-def _gather(draft: _Draft, kind: str, table: _Table) -> None:
+def _gather(draft: _Draft, kind: str, table: Table) -> None:
     values = table.read()
     if kind == "set":
         (draft.attempt if "try" in draft.parts else draft.entry).append((values, table))
@@ -373,14 +164,14 @@ def _step(draft: _Draft, on: Mapping[str, Any]) -> Step:
             raise LessonError(draft.line, f"this step has no part ### {part.capitalize()}")
     if draft.question is None:
         raise LessonError(draft.line, "this step has no question")
-    here = _Table("", draft.line)
+    here = Table("", draft.line)
     before = dict(on)
     for values, table in draft.entry:
-        before = _inputs(values, before, table)
+        before = set_inputs(values, before, table)
     after = before
     for values, table in draft.attempt:
-        after = _inputs(values, after, table)
-    question = _question(*draft.question)
+        after = set_inputs(values, after, table)
+    question = read_question(*draft.question)
     for case in question.cases.values():
         case_inputs(case, after, draft.question[1])
     shown, table = draft.show or ({}, here)
@@ -399,24 +190,6 @@ def _step(draft: _Draft, on: Mapping[str, Any]) -> Step:
         watch=_list(shown, "watch", table),
         line=draft.line,
     )
-
-
-def case_inputs(
-    case: Mapping[str, Any], after: Mapping[str, Any], table: _Table | None = None
-) -> tuple[dict[str, Any], float | None]:
-    """Return the inputs of a case, and its own steady load if it has one."""
-    table = table or _Table("", 0)
-    values = dict(case)
-    load = values.pop("load", None)
-    if load is not None and (
-        isinstance(load, bool)
-        or not isinstance(load, int | float)
-        or not -LARGEST_LOAD <= load <= LARGEST_LOAD
-    ):
-        raise table.error(
-            "load", f"load must be a number from {-LARGEST_LOAD:g} to {LARGEST_LOAD:g}"
-        )
-    return _inputs(values, after, table), None if load is None else float(load)
 
 
 def parse(text: str, key: str) -> Lesson:
@@ -447,7 +220,7 @@ def parse(text: str, key: str) -> Lesson:
     parameters = front.get("parameters", {})
     if not isinstance(parameters, dict):
         raise table.error("parameters", "parameters must be a table")
-    inputs = _inputs(parameters, State().inputs(), table)
+    inputs = set_inputs(parameters, State().inputs(), table)
     intro, drafts = _drafts("\n".join(lines[start:]), start)
     if not drafts:
         raise LessonError(start, "the lesson has no step: a line that begins with ##")

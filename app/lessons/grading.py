@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from .expressions import DEFAULT_CASE, Values
-from .format import Lesson, Question, Step, case_inputs
+from .format import Lesson, Step
 from .markdown import plain
 from .quantities import evaluate
+from .questions import case_inputs
 
 __all__ = ["Grade", "Unanswerable", "grade", "number_text", "solution", "unanswerable"]
 

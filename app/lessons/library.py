@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from .format import LONGEST_FILE, Lesson, LessonError, parse
+from .format import LONGEST_FILE, Lesson, parse
 from .grading import unanswerable
+from .tables import LessonError
 
 __all__ = ["VARIABLE", "Library", "Problem", "library", "read_file", "read_folder"]
 
