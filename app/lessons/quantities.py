@@ -37,12 +37,15 @@ class Quantity:
         One line for the documentation.
     compute : callable
         From the situation and the parts.
+    flag : bool
+        Whether it is 1 for yes and 0 for no.
     """
 
     form: str
     label: str
     doc: str
     compute: Callable[..., float]
+    flag: bool = False
 
     @cached_property
     def pattern(self) -> re.Pattern[str]:
@@ -156,9 +159,10 @@ QUANTITIES = (
     ),
     Quantity(
         "tongue.<pair>.exists",
-        "tongue {0} (1 is there)",
+        "tongue {0} is there",
         "1 where this pair resonates at the marker's β_d, else 0",
         lambda at, pair: float(at.pair(pair).unstable),
+        True,
     ),
     Quantity(
         "tongues",
@@ -180,9 +184,10 @@ QUANTITIES = (
     ),
     Quantity(
         "bolotin.inside",
-        "in a Bolotin region (1 yes)",
+        "marker in a Bolotin region",
         "1 where the marker lies in a Bolotin region, else 0",
         lambda at: float(in_bolotin_region(at.undamped, at.static, at.pulsating, at.frequency)),
+        True,
     ),
     Quantity(
         "growth",
@@ -192,9 +197,10 @@ QUANTITIES = (
     ),
     Quantity(
         "unstable",
-        "unstable at the marker (1 yes)",
+        "unstable at the marker",
         "1 where the rotor is unstable at the marker, from Floquet, else 0",
         lambda at: float(at.floquet.growth_rate > max(1e-7, 3 * at.floquet.error)),
+        True,
     ),
     Quantity(
         "multiplier.largest",
