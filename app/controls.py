@@ -15,7 +15,7 @@ import param
 
 from .state import PRESETS, SYMBOLS, State
 
-__all__ = ["Controls"]
+__all__ = ["Controls", "field"]
 
 _ASSETS = Path(__file__).parent / "assets"
 
@@ -58,21 +58,21 @@ WORDS = {
 }
 
 
-def _field(name: str) -> dict[str, Any]:
+def field(name: str) -> dict[str, Any]:
     """Describe one input for the browser, from the state's own declaration."""
     parameter = State.param[name]
-    field = {
+    found = {
         "name": name,
         "label": parameter.label,
         "symbol": SYMBOLS.get(name, ""),
         "doc": parameter.doc,
     }
     if isinstance(parameter, param.Boolean):
-        return field | {"switch": True}
+        return found | {"switch": True}
     if isinstance(parameter, param.Selector):
-        return field | {"options": [[word, WORDS[word]] for word in parameter.objects]}
+        return found | {"options": [[word, WORDS[word]] for word in parameter.objects]}
     low, high = parameter.bounds
-    return field | {"low": low, "high": high, "step": parameter.step}
+    return found | {"low": low, "high": high, "step": parameter.step}
 
 
 class Controls(pn.custom.JSComponent):
@@ -92,7 +92,7 @@ class Controls(pn.custom.JSComponent):
         self._respond = respond
         super().__init__(
             spec=[
-                {"title": title, "open": open_, "fields": [_field(name) for name in names]}
+                {"title": title, "open": open_, "fields": [field(name) for name in names]}
                 for title, open_, names in GROUPS
             ],
             presets=list(PRESETS),

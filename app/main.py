@@ -11,6 +11,7 @@ from markupsafe import Markup
 from rotorstab.charts import ROLES
 
 from .pages import PAGES
+from .pages.lessons import cards
 from .printing import FORMATS
 from .session import Session
 
@@ -49,9 +50,10 @@ def layout() -> str:
     ]
     links = [f'<a href="#{page.key}">{page.title}</a>' for page in PAGES]
     text = (ASSETS / "page.html").read_text(encoding="utf-8")
-    return text.replace("<!-- pages -->", "".join(sections)).replace(
-        "<!-- links -->", "".join(links)
-    )
+    beside = (ASSETS / "pages" / "lesson.html").read_text(encoding="utf-8")
+    for mark, content in (("pages", sections), ("links", links), ("beside", [beside])):
+        text = text.replace(f"<!-- {mark} -->", "".join(content))
+    return text
 
 
 LAYOUT = layout()
@@ -77,6 +79,11 @@ def build() -> pn.Template:
     template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
     template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
     template.add_variable("paper_script", Markup((ASSETS / "paper.js").read_text(encoding="utf-8")))
+    styles = (ASSETS / "lessons.css").read_text(encoding="utf-8")
+    template.add_variable("lessons_style", Markup(styles))
+    scripts = (ASSETS / "lessons.js").read_text(encoding="utf-8")
+    template.add_variable("lessons_script", Markup(scripts))
+    template.add_variable("lessons", cards())
     template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
     template.add_variable("download", download)
     if pn.state.curdoc is not None:

@@ -90,7 +90,10 @@ class Session:
         elif kind == "report":
             reply = self.report()
         else:
-            reply = self.pages[self.active].handle(message, self.state)
+            takers = (page for page in self.pages.values() if kind in page.takes)
+            reply = next(takers, self.pages[self.active]).handle(message, self.state)
+        if reply.reset_view:
+            self.reset_view()
         if reply.later is not None:
             self._deliver(reply)
         # a change is one step of many: the full picture comes when the browser says so
@@ -181,7 +184,10 @@ class Session:
             with pn.io.hold():
                 page.show(self.state, settled)
             self.notice = ""
-            return page.answer(self.state, settled)
+            found = page.answer(self.state, settled)
+            for one in self.pages.values():
+                found |= one.beside(self.state)
+            return found
         except ValueError as error:
             self.notice = str(error)
         except Exception:

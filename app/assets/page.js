@@ -118,6 +118,7 @@ window.rotorstab = (() => {
     }
     if (data.errors_table) showErrors(data.errors_table);
     page.paper.answer(data);
+    page.lessons.answer(data);
     if (data.python) {
       const dialog = document.querySelector("dialog.code");
       dialog.querySelector("code").textContent = data.python;

@@ -2,9 +2,10 @@
 
 from .base import Page
 from .explore import Explore
+from .lessons import Lessons
 from .paper import Paper
 from .stiffness import Stiffness
 
 __all__ = ["PAGES", "Page"]
 
-PAGES: tuple[type[Page], ...] = (Explore, Stiffness, Paper)
+PAGES: tuple[type[Page], ...] = (Explore, Stiffness, Paper, Lessons)

@@ -27,6 +27,7 @@ class Reply:
     now: Mapping[str, Any] = field(default_factory=dict)
     later: Future[Any] | None = None
     wrap: Callable[[Any], Mapping[str, Any]] = dict
+    reset_view: bool = False
 
 
 class Page:
@@ -39,6 +40,8 @@ class Page:
     key: ClassVar[str]
     title: ClassVar[str]
     chart_keys: ClassVar[tuple[str, ...]] = ()
+    # types of messages that this page answers whichever page is in view
+    takes: ClassVar[frozenset[str]] = frozenset()
 
     def __init__(self) -> None:
         self.charts: dict[str, LiveChart] = {}
@@ -66,6 +69,10 @@ class Page:
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a message that only this page knows."""
         return Reply()
+
+    def beside(self, state: State) -> dict[str, Any]:
+        """Return what this page adds to the answers of the page in view."""
+        return {}
 
     def visible(self, state: State) -> dict[str, bool]:
         """Return which layers are shown or hidden by choice."""

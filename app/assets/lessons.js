@@ -1,0 +1,299 @@
+// Lessons: the list's progress, and the lesson that runs beside the live charts.
+window.rotorstab.lessons = (() => {
+  const page = window.rotorstab;
+  const STORE = "rotorstab-lessons";
+  const CHARTS = { instability: "instability-title", "load-frequency": "load-title", campbell: "campbell-title" };
+  const LIMITS = { marker_frequency: ["lowest_frequency", "highest_frequency"], marker_factor: ["", "largest_factor"] };
+  const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
+  const panel = () => document.querySelector(".lesson");
+  let running = null; // the step as the server described it
+  let asked = ""; // key of the lesson that was asked for
+  let values = {};
+  let focusTo = "";
+
+  // -- progress, kept in this browser only -------------------------------------
+  function stored() {
+    try {
+      const found = JSON.parse(localStorage.getItem(STORE));
+      return found && typeof found === "object" && !Array.isArray(found) ? found : {};
+    } catch { return {}; }
+  }
+  // {at: step, steps: {0: "right" | "shown" | "tried"}}; whatever else stands there counts as nothing
+  function progress(key) {
+    const found = stored()[key];
+    const steps = found && typeof found.steps === "object" && found.steps ? found.steps : {};
+    return { at: Number.isInteger(found?.at) ? found.at : 0, steps };
+  }
+  function keep(key, change) {
+    const all = stored();
+    all[key] = change(progress(key));
+    try { localStorage.setItem(STORE, JSON.stringify(all)); } catch { /* private window */ }
+    list();
+  }
+  const passed = (word) => word === "right" || word === "shown";
+
+  function list() {
+    for (const card of document.querySelectorAll("[data-lesson-card]")) {
+      const { steps } = progress(card.dataset.lessonCard);
+      const all = Number(card.dataset.steps);
+      const done = Object.values(steps).filter(passed).length;
+      const words = card.querySelector("[data-lesson-progress]");
+      card.classList.toggle("done", done >= all);
+      words.textContent = !Object.keys(steps).length ? "" : done >= all ? "✓ Done" : `${done} of ${all} steps done`;
+    }
+  }
+
+  // -- pieces -------------------------------------------------------------------
+  function node(tag, attributes, ...children) {
+    const made = document.createElement(tag);
+    for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+  }
+  // texts of a lesson come from the server as HTML that was made harmless there
+  function html(where, text) { where.innerHTML = text; }
+  function button(words, action, kind = "") {
+    const made = node("button", { type: "button", class: kind }, words);
+    made.addEventListener("click", action);
+    return made;
+  }
+
+  function numbers(where, pairs) {
+    where.replaceChildren(...pairs.map(([name, label]) => {
+      const term = node("dt");
+      html(term, label);
+      return node("div", {}, term, node("dd", { "data-quantity": name }, "…"));
+    }));
+    where.hidden = !pairs.length;
+  }
+
+  // -- controls of the step, besides those of the sidebar -------------------------
+  function control(field) {
+    const id = `lesson-${field.name}`;
+    const title = [...page.rich(`${field.symbol} ${field.label}`.trim())];
+    if (field.switch) {
+      const input = node("input", { type: "checkbox", id });
+      input.addEventListener("change", () => page.change(field.name, input.checked));
+      return { row: node("div", { class: "lesson-switch" }, input, node("label", { for: id }, ...title)), show: (value) => { input.checked = value; } };
+    }
+    if (field.options) {
+      const select = node("select", { id }, ...field.options.map(([value, words]) => node("option", { value }, words)));
+      select.addEventListener("change", () => page.change(field.name, select.value));
+      return { row: node("div", {}, node("label", { for: id }, ...title), select), show: (value) => { select.value = value; } };
+    }
+    const slider = node("input", { type: "range", id, min: field.low, max: field.high, step: field.step });
+    const output = node("output", { for: id });
+    const write = (value) => { output.textContent = String(Number(value.toPrecision(4))).replace("-", "−"); };
+    slider.addEventListener("input", () => { write(slider.valueAsNumber); page.change(field.name, slider.valueAsNumber); });
+    return {
+      row: node("div", { class: "lesson-slider" }, node("label", { for: id }, ...title), output, slider),
+      show: (value) => {
+        // the marker moves over the chart, not beyond it
+        const [low, high] = LIMITS[field.name] || [];
+        if (low) slider.min = Math.max(field.low, values[low]);
+        if (high) slider.max = Math.min(field.high, values[high]);
+        if (slider.matches(":active")) return;
+        slider.value = value;
+        write(value);
+      },
+    };
+  }
+
+  let controls = {};
+  function move(step) {
+    controls = {};
+    const rows = step.move.map((field) => {
+      controls[field.name] = control(field);
+      return controls[field.name].row;
+    });
+    if (step.has_set) rows.push(button("Set it for me", () => page.send({ type: "lesson-set" })));
+    if (step.look.length) rows.push(button("Show the chart", () => card(step.look[0])?.scrollIntoView({ block: "start" })));
+    place("move").replaceChildren(...rows);
+  }
+
+  // -- the question ---------------------------------------------------------------
+  function form(step) {
+    const where = place("form");
+    const ask = node("p", { id: "lesson-ask", class: "lesson-ask" });
+    html(ask, step.ask);
+    const check = node("button", { type: "submit", class: "strong" }, "Check");
+    if (step.kind === "choice") {
+      const group = node("div", { role: "radiogroup", "aria-labelledby": "lesson-ask" }, ...step.choices.map((text, index) => {
+        const label = node("span");
+        html(label, text);
+        return node("label", { class: "lesson-choice" }, node("input", { type: "radio", name: "lesson-choice", value: index }), label);
+      }));
+      where.replaceChildren(ask, group, check);
+    } else if (step.kind === "number") {
+      const box = node("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-labelledby": "lesson-ask", class: "lesson-box" });
+      const unit = node("span", { class: "sub" });
+      html(unit, step.unit || (step.range ? `a number from ${step.range[0]} to ${step.range[1]}`.replaceAll("-", "−") : "a number"));
+      where.replaceChildren(ask, node("div", { class: "lesson-pair" }, box, check, unit));
+    } else {
+      where.replaceChildren(ask, check);
+    }
+  }
+
+  function submit(event) {
+    event.preventDefault();
+    const chosen = place("form").querySelector("input:checked");
+    const box = place("form").querySelector(".lesson-box");
+    const value = box ? box.value : chosen ? Number(chosen.value) : "";
+    page.send({ type: "lesson-answer", value });
+  }
+
+  function answered({ right, counted, words, shown }) {
+    say(words, right ? "right" : shown ? "shown" : "hint");
+    // what is new may lie below the panel's edge
+    requestAnimationFrame(() => {
+      const inside = panel().scrollHeight > panel().clientHeight;
+      if (inside) panel().scrollTop = Math.max(0, place("words").offsetTop - 60);
+      else place("words").scrollIntoView({ block: "nearest" });
+    });
+    if (!counted) return;
+    const { key, step } = running;
+    keep(key, (old) => {
+      const before = old.steps[step];
+      const now = right ? "right" : shown && before !== "right" ? "shown" : before || "tried";
+      return { ...old, at: step, steps: { ...old.steps, [step]: now } };
+    });
+    reveal();
+  }
+
+  function say(words, kind) {
+    const where = place("words");
+    where.className = `lesson-words ${kind}`;
+    html(where, words);
+  }
+
+  // -- what of the step is open -----------------------------------------------------
+  function reveal() {
+    const { key, step, kind, titles, next } = running;
+    const { steps } = progress(key);
+    const state = steps[step];
+    place("try-part").hidden = !state && kind !== "goal";
+    place("see-part").hidden = !passed(state);
+    place("show").hidden = passed(state) || !state;
+    place("back").disabled = step === 0;
+    const last = step === titles.length - 1;
+    const forward = place("next");
+    forward.textContent = !last ? "Next" : next ? "Next lesson" : "Finish";
+    forward.classList.toggle("strong", passed(state));
+    place("steps").replaceChildren(...titles.map((title, index) => {
+      const dot = button(String(index + 1), () => go(index), passed(steps[index]) ? "done" : "");
+      dot.setAttribute("aria-label", `Step ${index + 1}: ${title}${passed(steps[index]) ? ", done" : ""}`);
+      dot.title = title;
+      if (index === step) dot.setAttribute("aria-current", "step");
+      return node("li", {}, dot);
+    }));
+  }
+
+  const card = (name) => document.getElementById(CHARTS[name])?.closest(".card");
+
+  function stand() {
+    const here = running && document.querySelector('[data-page="explore"]') && !document.querySelector('[data-page="explore"]').hidden;
+    panel().hidden = !here;
+    document.querySelector("main").classList.toggle("teaching", Boolean(here));
+    for (const name of Object.keys(CHARTS)) card(name)?.classList.toggle("looked", Boolean(here) && running.look.includes(name));
+    return here;
+  }
+
+  function show(step) {
+    running = step;
+    asked = step.key;
+    place("where").textContent = step.number ? `Lesson ${step.number} · step ${step.step + 1} of ${step.titles.length}` : `Step ${step.step + 1} of ${step.titles.length}`;
+    for (const name of ["title", "intro", "heading", "predict", "try", "see"]) html(place(name), step[name]);
+    numbers(place("given"), step.given);
+    numbers(place("watch"), step.watch);
+    form(step);
+    say("", "");
+    move(step);
+    for (const [name, one] of Object.entries(controls)) if (name in values) one.show(values[name]);
+    keep(step.key, (old) => ({ ...old, at: step.step }));
+    try { sessionStorage.setItem(STORE, `${step.key}/${step.step}`); } catch { /* private window */ }
+    reveal();
+    stand();
+    panel().scrollTop = 0;
+    if (focusTo) {
+      place(focusTo).focus({ preventScroll: true });
+      // past the header where it does not stay in view
+      const phone = getComputedStyle(document.querySelector(".top")).position === "static";
+      scrollTo({ top: phone ? panel().offsetTop : 0 });
+      focusTo = "";
+    }
+  }
+
+  // -- coming and going ---------------------------------------------------------------
+  function go(step, held = false) { focusTo = held ? "" : "heading"; page.send({ type: "lesson", lesson: asked, step, keep: held }); }
+
+  // #lesson/name: the charts, with that lesson beside them
+  function visit() {
+    const wanted = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})$/)?.[1];
+    if (!page.send) return;
+    if (wanted && wanted !== running?.key) {
+      asked = wanted;
+      const { at } = progress(wanted);
+      // after a reload the sliders stay as the student left them
+      let open = "";
+      try { open = sessionStorage.getItem(STORE) || ""; } catch { /* private window */ }
+      const held = !visited && open === `${wanted}/${at}`;
+      go(at, held);
+      if (!held) focusTo = "title";
+    }
+    visited = true;
+    if (running) stand();
+  }
+  let visited = false;
+
+  function leave() {
+    running = null;
+    asked = "";
+    try { sessionStorage.removeItem(STORE); } catch { /* private window */ }
+    page.send({ type: "lesson-end" });
+    stand();
+    location.hash = "lessons";
+    document.querySelector("#main").focus();
+  }
+
+  function forward() {
+    const { step, titles, next } = running;
+    if (step < titles.length - 1) go(step + 1);
+    else if (next) location.hash = `lesson/${next}`;
+    else leave();
+  }
+
+  document.addEventListener("DOMContentLoaded", () => {
+    place("form").addEventListener("submit", submit);
+    place("close").addEventListener("click", leave);
+    place("back").addEventListener("click", () => go(running.step - 1));
+    place("next").addEventListener("click", forward);
+    place("show").addEventListener("click", () => page.send({ type: "lesson-show" }));
+    document.querySelector(".lesson-forget").addEventListener("click", () => {
+      try { localStorage.removeItem(STORE); } catch { /* private window */ }
+      list();
+      if (running) reveal();
+    });
+    // a lesson's link chosen again, from the list, while it runs
+    for (const link of document.querySelectorAll('a[href^="#lesson/"]')) {
+      link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(stand); });
+    }
+    window.addEventListener("hashchange", visit);
+    list();
+  }, { once: true });
+
+  return {
+    answer(data) {
+      if (data.lesson) show(data.lesson);
+      if (data.lesson === null) { asked = ""; running = null; stand(); }
+      if (data.values) {
+        values = data.values;
+        for (const [name, one] of Object.entries(controls)) one.show(values[name]);
+      }
+      for (const [name, text] of Object.entries(data.lesson_numbers || {})) {
+        for (const where of document.querySelectorAll(`[data-quantity="${CSS.escape(name)}"]`)) where.textContent = text;
+      }
+      if (data.lesson_answer && running) answered(data.lesson_answer);
+      if (data.page && !visited) visit();
+    },
+  };
+})();

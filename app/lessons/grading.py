@@ -1,0 +1,172 @@
+"""Answers, computed when they are asked for, and what a student's answer is told."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from .expressions import DEFAULT_CASE, Values
+from .format import Lesson, Step
+from .markdown import plain
+from .quantities import evaluate
+from .questions import case_inputs
+
+__all__ = ["Grade", "Unanswerable", "grade", "number_text", "solution", "unanswerable"]
+
+_LONGEST = 40
+_NOT_A_NUMBER = "That is not a number yet: write it like 1.25."
+_NOT_YET = "Choose an answer first."
+
+
+class Unanswerable(ValueError):
+    """A question that the solver has no answer to, with these parameters."""
+
+
+@dataclass(frozen=True)
+class Grade:
+    """Whether an answer is right, and what is said (HTML)."""
+
+    right: bool
+    words: str
+    counted: bool = True
+
+
+def number_text(value: float) -> str:
+    """Return a number as the page writes it."""
+    if math.isinf(value):
+        return "∞" if value > 0 else "−∞"
+    return f"{value:.4g}".replace("-", "−")
+
+
+def _values(step: Step, after: Mapping[str, Any] | None = None) -> Values:
+    """Return the quantities at the step's cases, with other inputs for the plain one."""
+
+    def value(name: str, case: str) -> float:
+        load = None
+        if case == "before":
+            inputs: Mapping[str, Any] = step.before
+        elif case == DEFAULT_CASE:
+            inputs = step.after if after is None else after
+        else:
+            inputs, load = case_inputs(step.question.cases[case], step.after)
+        return evaluate(name, inputs, load)
+
+    return value
+
+
+def solution(step: Step) -> float | int | None:
+    """Return the number of a question, the index of its right choice, None for a goal.
+
+    Raises
+    ------
+    Unanswerable
+        If the solver has no number, not exactly one choice holds, or the step's own Try does
+        not reach the goal.
+    """
+    question, values = step.question, _values(step)
+    try:
+        if question.answer:
+            value = question.answer.value(values)
+            if not math.isfinite(value):
+                raise Unanswerable("the solver has no number for this answer")
+            if question.range and not question.range[0] <= value <= question.range[1]:
+                raise Unanswerable(f"the answer, {number_text(value)}, is out of its range")
+            return value
+        if question.goal:
+            if not question.goal.holds(values, question.tolerance):
+                raise Unanswerable("the goal is not reached by what Try sets")
+            return None
+        right = [
+            index
+            for index, choice in enumerate(question.choices)
+            if choice.when.holds(values, question.tolerance)
+        ]
+    except Unanswerable:
+        raise
+    except ValueError as error:
+        raise Unanswerable(str(error)) from None
+    if len(right) != 1:
+        raise Unanswerable(f"{len(right)} choices are right, and it must be one")
+    return right[0]
+
+
+def unanswerable(lesson: Lesson) -> tuple[int, str] | None:
+    """Return line and reason of the first question without an answer, None if all have one."""
+    for step in lesson.steps:
+        try:
+            solution(step)
+        except Unanswerable as error:
+            return step.question.line, str(error)
+    return None
+
+
+def _number(value: Any) -> float | None:
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, int | float):
+        return float(value) if abs(value) < 1e300 else None
+    if not isinstance(value, str) or len(value) > _LONGEST:
+        return None
+    try:
+        number = float(value.strip().replace("−", "-").replace(",", ".").rstrip("%"))
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def told(step: Step) -> str:
+    """Return the solver's answer as HTML."""
+    question, answer = step.question, solution(step)
+    if question.kind == "number":
+        assert answer is not None
+        return (
+            f"The solver gives <b>{number_text(answer)}</b>{question.unit and ' '}{question.unit}."
+        )
+    if question.kind == "choice":
+        assert isinstance(answer, int)
+        return f"The solver’s answer: <b>{question.choices[answer].text}</b>."
+    return "The button below the sliders sets values that reach it."
+
+
+def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
+    """Return what a student's answer is told.
+
+    Parameters
+    ----------
+    step : Step
+    value : object
+        What came from the browser: a number or its text, or a choice's index.
+    inputs : mapping
+        The page's inputs as the student has set them, which a goal is asked of.
+
+    Raises
+    ------
+    Unanswerable
+        If the solver has no answer.
+    """
+    question = step.question
+    if question.kind == "goal":
+        assert question.goal is not None
+        try:
+            reached = question.goal.holds(_values(step, inputs), question.tolerance)
+        except ValueError as error:
+            return Grade(False, str(plain(str(error))))
+        return Grade(True, "You are there.") if reached else Grade(False, question.hint)
+    answer = solution(step)
+    number = _number(value)
+    if question.kind == "choice":
+        if number is None or not number.is_integer() or not 0 <= number < len(question.choices):
+            return Grade(False, _NOT_YET, counted=False)
+        chosen = question.choices[int(number)]
+        if int(number) == answer:
+            return Grade(True, "Yes.")
+        return Grade(False, chosen.hint or question.hint)
+    assert answer is not None
+    if number is None:
+        return Grade(False, _NOT_A_NUMBER, counted=False)
+    allowed = question.tolerance * (abs(answer) if question.relative else 1.0)
+    if abs(number - answer) <= allowed * (1 + 1e-9):
+        return Grade(True, f"Yes. {told(step)}")
+    return Grade(False, question.hint)

@@ -1,0 +1,101 @@
+"""The lessons that are there: built in, and from the folder of ROTORSTAB_LESSONS."""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from .format import LONGEST_FILE, Lesson, parse
+from .grading import unanswerable
+from .tables import LessonError
+
+__all__ = ["VARIABLE", "Library", "Problem", "library", "read_file", "read_folder"]
+
+VARIABLE = "ROTORSTAB_LESSONS"
+_LOG = logging.getLogger("rotorstab.lessons")
+_NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,60}")
+_MOST_FILES = 200
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A file that was left out, and why."""
+
+    file: str
+    line: int
+    reason: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}: {self.reason}"
+
+
+@dataclass(frozen=True)
+class Library:
+    """Lessons by key, the built-in ones first, and what was left out."""
+
+    lessons: dict[str, Lesson]
+    problems: tuple[Problem, ...]
+    foreign: frozenset[str]
+
+
+def read_file(path: Path) -> Lesson | Problem:
+    """Return the lesson of one file, checked to the last answer, or what is wrong with it."""
+    if not _NAME.fullmatch(path.stem):
+        return Problem(path.name, 1, "a lesson's file name has only a-z, 0-9 and -")
+    try:
+        if path.stat().st_size > 4 * LONGEST_FILE:
+            return Problem(path.name, 1, "the file is too long")
+        lesson = parse(path.read_bytes().decode("utf-8"), path.stem)
+    except LessonError as error:
+        return Problem(path.name, error.line, error.reason)
+    except UnicodeDecodeError as error:
+        line = error.object[: error.start].count(b"\n") + 1
+        return Problem(path.name, line, "the file is not UTF-8 text")
+    except OSError as error:
+        return Problem(path.name, 1, f"cannot be read: {error.strerror}")
+    if fault := unanswerable(lesson):
+        return Problem(path.name, *fault)
+    return lesson
+
+
+def read_folder(folder: Path) -> tuple[list[Lesson], list[Problem]]:
+    """Return the lessons of a folder's .md files in the order of their names, and the problems."""
+    try:
+        files = sorted(path for path in folder.iterdir() if path.suffix == ".md")
+    except OSError as error:
+        return [], [Problem(str(folder), 1, f"cannot be read: {error.strerror}")]
+    lessons, problems = [], []
+    for path in files[:_MOST_FILES]:
+        if path.stem.lower() == "readme":
+            continue
+        found = read_file(path)
+        (lessons if isinstance(found, Lesson) else problems).append(found)  # type: ignore[arg-type]
+    if len(files) > _MOST_FILES:
+        problems.append(Problem(str(folder), 1, f"only the first {_MOST_FILES} files are read"))
+    return lessons, problems
+
+
+def collect(folder: str | None) -> Library:
+    """Return the built-in lessons and those of a folder; one of the same name replaces."""
+    lessons, problems = read_folder(Path(__file__).parent)
+    found = {one.key: one for one in lessons}
+    foreign: list[Lesson] = []
+    if folder:
+        foreign, more = read_folder(Path(folder))
+        problems += more
+        found |= {one.key: one for one in foreign}
+    for problem in problems:
+        _LOG.error("lesson left out: %s", problem)
+    if folder:
+        _LOG.info("%d lessons from %s", len(foreign), folder)
+    return Library(found, tuple(problems), frozenset(one.key for one in foreign))
+
+
+@cache
+def library() -> Library:
+    """Return the process's lessons, read once; what is left out is logged."""
+    return collect(os.environ.get(VARIABLE))

@@ -1,0 +1,63 @@
+"""Markdown from a file to HTML that can do nothing: no raw HTML, no pictures, web links only."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererHTML
+from markdown_it.token import Token
+from markdown_it.utils import EnvType, OptionsDict
+from markupsafe import Markup, escape
+
+__all__ = ["inline", "plain", "render", "tokens"]
+
+# "β_d" and its like; a combining bar may follow the letter
+_SYMBOL = re.compile(r"([^\W\d_]̄?)_([^\W_]{1,8})")
+
+
+def plain(text: str) -> Markup:
+    """Return a text escaped, its symbols with subscripts."""
+    return Markup(_SYMBOL.sub(r'<span class="symbol">\1<sub>\2</sub></span>', str(escape(text))))
+
+
+class _Renderer(RendererHTML):
+    def text(self, tokens: Sequence[Token], idx: int, options: OptionsDict, env: EnvType) -> str:
+        """Write a text with its symbols."""
+        return str(plain(tokens[idx].content))
+
+    def link_open(
+        self, tokens: Sequence[Token], idx: int, options: OptionsDict, env: EnvType
+    ) -> str:
+        """Open a link elsewhere in a tab of its own, so that the lesson stays."""
+        if str(tokens[idx].attrGet("href")).startswith("http"):
+            tokens[idx].attrSet("target", "_blank")
+            tokens[idx].attrSet("rel", "noopener noreferrer")
+        return self.renderToken(tokens, idx, options, env)
+
+
+def _maker() -> MarkdownIt:
+    made = MarkdownIt("commonmark", {"html": False}, renderer_cls=_Renderer)
+    made.enable("table").disable(["image", "html_block", "html_inline"])
+    # everything but the web and this page's own places stays text
+    made.validateLink = lambda url: bool(re.match(r"(https?://|#)", url.strip(), re.IGNORECASE))  # type: ignore[method-assign]
+    return made
+
+
+_MARKDOWN = _maker()
+
+
+def tokens(text: str) -> list[Token]:
+    """Return the blocks of a text, which know their lines."""
+    return _MARKDOWN.parse(text)
+
+
+def render(blocks: Sequence[Token]) -> str:
+    """Return the HTML of some blocks."""
+    return _MARKDOWN.renderer.render(blocks, _MARKDOWN.options, {})
+
+
+def inline(text: str) -> str:
+    """Return the HTML of one line."""
+    return _MARKDOWN.renderInline(text)

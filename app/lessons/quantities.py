@@ -1,0 +1,281 @@
+"""What a question may ask for: computed quantities by name, each from the page's inputs alone."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from rotorstab import flutter_load, in_bolotin_region, lumped
+
+from ..state import State
+from .situation import Situation
+
+__all__ = ["QUANTITIES", "Quantity", "evaluate", "find"]
+
+_NUMBERS = tuple(
+    name for name, value in State().inputs().items() if isinstance(value, float) and name != "name"
+)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A named number of a situation.
+
+    Parameters
+    ----------
+    form : str
+        As a teacher writes it, with <mode>, <pair>, <n> or <name> for its parts.
+    label : str
+        A few words and the symbol for the lesson's panel, with {0} for its part.
+    doc : str
+        One line for the documentation.
+    compute : callable
+        From the situation and the parts.
+    flag : bool
+        Whether it is 1 for yes and 0 for no.
+    """
+
+    form: str
+    label: str
+    doc: str
+    compute: Callable[..., float]
+    flag: bool = False
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """The form as a regular expression with a group for each part."""
+        text = re.escape(self.form)
+        for part, expression in _PARTS.items():
+            text = text.replace(re.escape(part), f"({expression})")
+        return re.compile(text)
+
+
+_MODE = "[1-4][BF]"
+_PARTS = {
+    "<mode>": _MODE,
+    "<pair>": f"{_MODE}\\+{_MODE}",
+    "<n>": "[1-9]",
+    "<way>": "forward|backward",
+    "<name>": "|".join(_NUMBERS),
+}
+
+
+def _speed(at: Situation, way: str, number: str = "1") -> float:
+    speeds = at.speeds.forward if way == "forward" else at.speeds.backward
+    index = int(number) - 1
+    return float(speeds[index]) if index < len(speeds) else math.nan
+
+
+def _threshold(at: Situation) -> float:
+    return min(row.threshold for row in at.table) / at.reference
+
+
+QUANTITIES = (
+    Quantity(
+        "whirl.<mode>",
+        "whirl {0}, ω̄",
+        "signed whirl frequency of a mode at the steady load (forward above 0), real part",
+        lambda at, mode: at.whirl(mode).real,
+    ),
+    Quantity(
+        "whirl.<mode>.growth",
+        "growth of whirl {0}",
+        "its growth rate without pulsation: below 0 it dies out",
+        lambda at, mode: -at.whirl(mode).imag,
+    ),
+    Quantity(
+        "fundamental",
+        "ω_n at rest",
+        "first natural frequency ω_n of the resting, unloaded rotor",
+        lambda at: at.fundamental,
+    ),
+    Quantity("buckling", "buckling load p̄_cr", "static buckling load p̄_cr", lambda at: at.buckling),
+    Quantity(
+        "flutter",
+        "flutter load p̄_f",
+        "load at which the rotor flutters under a follower load, at its spin speed, lumped model",
+        lambda at: flutter_load(lumped(at.rotor, at.spin, 1.0)),
+    ),
+    Quantity("static_load", "steady load p̄_0", "the steady load p̄₀", lambda at: at.static),
+    Quantity(
+        "critical.<way>",
+        "critical speed, {0}",
+        "lowest spin speed with a synchronous whirl, forward (ω = Ω̄) or backward (ω = −Ω̄)",
+        _speed,
+    ),
+    Quantity(
+        "critical.<way>.<n>",
+        "critical speed {1}, {0}",
+        "the n-th of them",
+        _speed,
+    ),
+    Quantity(
+        "critical.<way>.count",
+        "critical speeds, {0}",
+        "how many there are",
+        lambda at, way: float(len(getattr(at.speeds, way))),
+    ),
+    Quantity(
+        "tongue.<pair>.centre",
+        "tongue {0}, centre θ/ω_n",
+        "where the tongue of a pair of modes stands, θ/ωₙ, to first order in the pulsation",
+        lambda at, pair: at.pair(pair).centre / at.fundamental,
+    ),
+    Quantity(
+        "tongue.<pair>.width",
+        "tongue {0}, width in θ/ω_n",
+        "its whole width in θ/ωₙ at the marker's β_d; 0 where there is none",
+        lambda at, pair: 2 * at.pair(pair).half_width / at.fundamental,
+    ),
+    Quantity(
+        "tongue.<pair>.frequency",
+        "tongue {0}, centre θ̄",
+        "its centre as θ̄, in units of √(EI/ρAL⁴) and not of ωₙ",
+        lambda at, pair: at.pair(pair).centre,
+    ),
+    Quantity(
+        "tongue.<pair>.slope",
+        "tongue {0}, width per unit of load",
+        "its width in θ̄ for each unit of pulsating load p̄_t, undamped part",
+        lambda at, pair: 4 * at.pair(pair).growth_per_load,
+    ),
+    Quantity(
+        "tongue.<pair>.growth",
+        "tongue {0}, growth rate",
+        "growth rate at its centre at the marker's β_d",
+        lambda at, pair: at.pair(pair).growth,
+    ),
+    Quantity(
+        "tongue.<pair>.threshold",
+        "tongue {0}, threshold β_d",
+        "β_d from which it is unstable: 0 without damping",
+        lambda at, pair: at.pair(pair).threshold / at.reference,
+    ),
+    Quantity(
+        "tongue.<pair>.exists",
+        "tongue {0} is there",
+        "1 where this pair resonates at the marker's β_d, else 0",
+        lambda at, pair: float(at.pair(pair).unstable),
+        True,
+    ),
+    Quantity(
+        "tongues",
+        "tongues in all",
+        "how many of the six pairs resonate at the marker's β_d",
+        lambda at: float(len(at.table.tongues)),
+    ),
+    Quantity(
+        "threshold",
+        "β_d that damping holds",
+        "the smallest β_d that destabilises, by the resonance table",
+        _threshold,
+    ),
+    Quantity(
+        "bolotin.<mode>",
+        "Bolotin boundary {0}, θ/ω_n",
+        "Bolotin's boundary of a mode at the marker's β_d, θ/ωₙ",
+        lambda at, mode: at.boundary(mode) / at.fundamental,
+    ),
+    Quantity(
+        "bolotin.inside",
+        "marker in a Bolotin region",
+        "1 where the marker lies in a Bolotin region, else 0",
+        lambda at: float(in_bolotin_region(at.undamped, at.static, at.pulsating, at.frequency)),
+        True,
+    ),
+    Quantity(
+        "growth",
+        "growth rate σ̄ at the marker",
+        "growth rate at the marker, from Floquet",
+        lambda at: float(at.floquet.growth_rate),
+    ),
+    Quantity(
+        "unstable",
+        "unstable at the marker",
+        "1 where the rotor is unstable at the marker, from Floquet, else 0",
+        lambda at: float(at.floquet.growth_rate > max(1e-7, 3 * at.floquet.error)),
+        True,
+    ),
+    Quantity(
+        "multiplier.largest",
+        "largest multiplier |μ|",
+        "the largest Floquet multiplier's modulus at the marker",
+        lambda at: float(np.abs(at.floquet.multipliers).max()),
+    ),
+    Quantity(
+        "multiplier.to_minus_one",
+        "distance of a multiplier from −1",
+        "distance of the nearest Floquet multiplier from −1 at the marker",
+        lambda at: float(np.abs(at.floquet.multipliers + 1).min()),
+    ),
+    Quantity(
+        "spin_limit",
+        "spin speed Ω̄ where steady motion grows",
+        "lowest spin speed at which the steady motion grows without pulsation",
+        lambda at: at.spin_limit(),
+    ),
+    Quantity(
+        "parameter.<name>",
+        "{0}",
+        "a parameter of the page, as it is set",
+        lambda at, name: float(at.inputs[name]),
+    ),
+)
+
+
+def find(name: str) -> tuple[Quantity, tuple[str, ...]] | None:
+    """Return the quantity of a name and the name's parts, None where there is none."""
+    for quantity in QUANTITIES:
+        if match := quantity.pattern.fullmatch(name):
+            return quantity, match.groups()
+    return None
+
+
+@lru_cache(maxsize=64)
+def _situation(items: tuple[tuple[str, Any], ...], load: float | None) -> Situation:
+    return Situation(dict(items), load)
+
+
+@lru_cache(maxsize=512)
+def _evaluate(name: str, items: tuple[tuple[str, Any], ...], load: float | None) -> float:
+    found = find(name)
+    if found is None:
+        raise ValueError(f"no quantity named {name!r}")
+    quantity, parts = found
+    try:
+        return float(quantity.compute(_situation(items, load), *parts))
+    except KeyError:
+        raise ValueError(
+            f"{name!r}: there is no such pair of modes; write B before F and 1 before 2"
+        ) from None
+
+
+def evaluate(name: str, inputs: Mapping[str, Any], load: float | None = None) -> float:
+    """Return a quantity for one set of inputs.
+
+    Parameters
+    ----------
+    name : str
+        Such as "whirl.1F".
+    inputs : mapping
+        Every input of `State`, by name.
+    load : float, optional
+        Steady load p̄₀ instead of α_s times the reference; tension below 0 [EI/L²].
+
+    Returns
+    -------
+    float
+        NaN or inf where the rotor has no such number.
+
+    Raises
+    ------
+    ValueError
+        If there is no such quantity, or these inputs have no answer.
+    """
+    return _evaluate(name, tuple(inputs.items()), load)

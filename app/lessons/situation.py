@@ -1,0 +1,143 @@
+"""One set of inputs, and what follows from them when it is asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from rotorstab import (
+    CriticalSpeeds,
+    Resonance,
+    ResonanceTable,
+    System,
+    bolotin_chart,
+    critical_load,
+    critical_speeds,
+    flutter_load,
+    fundamental_frequency,
+    load_frequency_curves,
+    lumped,
+    resonances,
+    whirl_frequencies,
+)
+from rotorstab.floquet import FloquetSolution, floquet_solution
+
+from ..analysis import Model
+from ..state import State
+
+__all__ = ["LARGEST_LOAD", "Situation"]
+
+LARGEST_LOAD = 6.0  # of a case's own load, either sign [EI/L²]
+
+
+class Situation:
+    """One set of inputs, and what follows from them when asked for."""
+
+    def __init__(self, inputs: Mapping[str, Any], load: float | None = None) -> None:
+        state = State(**inputs)
+        self.inputs = dict(inputs)
+        self.rotor = state.rotor()
+        self.spin = state.spin_speed
+        self.tangency = state.effective_tangency()
+        self.model = Model(
+            self.rotor, state.model, state.law, state.external_damping, state.internal_damping
+        )
+        self._factor = state.static_load_factor
+        self._given_load = load
+        self._reference = state.reference
+        self.at_rest = lumped(self.rotor, 0.0, 1.0)
+
+    @cached_property
+    def system(self) -> System:
+        """The rotor that the charts are of."""
+        return self.model.system(self.spin, self.tangency)
+
+    @cached_property
+    def undamped(self) -> System:
+        """The same without damping, which is what Bolotin's method is for."""
+        return self.model.undamped().system(self.spin, self.tangency)
+
+    @cached_property
+    def fundamental(self) -> float:
+        """ω_n, by which the charts divide θ̄."""
+        return fundamental_frequency(self.at_rest)
+
+    @cached_property
+    def buckling(self) -> float:
+        """p̄_cr."""
+        return float(critical_load(self.rotor.shear))
+
+    @cached_property
+    def reference(self) -> float:
+        """The load that the factors α_s and β_d are shares of."""
+        return self.buckling if self._reference == "buckling" else flutter_load(self.at_rest)
+
+    @cached_property
+    def static(self) -> float:
+        """p̄₀: the case's own load, else α_s times the reference."""
+        return self._factor * self.reference if self._given_load is None else self._given_load
+
+    @cached_property
+    def pulsating(self) -> float:
+        """p̄_t at the marker's β_d."""
+        return float(self.inputs["marker_factor"]) * self.reference
+
+    @cached_property
+    def frequency(self) -> float:
+        """θ̄ at the marker."""
+        return float(self.inputs["marker_frequency"]) * self.fundamental
+
+    @cached_property
+    def table(self) -> ResonanceTable:
+        """Every pair of modes at the marker's β_d."""
+        return resonances(self.system, self.static, self.pulsating)
+
+    @cached_property
+    def floquet(self) -> FloquetSolution:
+        """The marker's point."""
+        return floquet_solution(self.system, self.static, self.pulsating, self.frequency)
+
+    @cached_property
+    def speeds(self) -> CriticalSpeeds:
+        """Critical speeds at p̄₀."""
+        return critical_speeds(self.system, self.static)
+
+    def whirl(self, mode: str) -> complex:
+        """Return a mode's complex frequency, followed from no load as in the charts."""
+        loads = np.linspace(0.0, self.static, 24) if self.static else np.zeros(1)
+        order = slice(None) if self.static >= 0 else slice(None, None, -1)
+        curves = load_frequency_curves(self.system, loads[order])
+        if mode not in curves.names:
+            raise ValueError(f"this model has no mode {mode}")
+        row = curves.frequencies[order][-1]
+        return complex(row[curves.names.index(mode)])
+
+    def pair(self, name: str) -> Resonance:
+        """Return the row of a pair of modes."""
+        return self.table[name]
+
+    def boundary(self, mode: str) -> float:
+        """Return Bolotin's boundary of a mode at the marker's β_d, in θ̄."""
+        chart = bolotin_chart(self.undamped, self.static, max(self.pulsating, 1e-6), 24)
+        if mode not in chart.names:
+            raise ValueError(f"this model has no mode {mode}")
+        return float(chart.frequency[-1, chart.names.index(mode)])
+
+    def spin_limit(self) -> float:
+        """Return the lowest spin speed at which the steady motion grows; inf if none is found."""
+        speeds = np.linspace(0.0, float(State.param.spin_speed.bounds[1]), 401)
+        for _ in range(3):
+            roots = whirl_frequencies(self.system.at_speed(speeds), self.static)
+            growth = -np.imag(roots).min(axis=-1)
+            grows = np.flatnonzero(growth > 1e-7 * np.abs(roots).max(axis=-1))
+            if not grows.size:
+                return math.inf
+            first = int(grows[0])
+            if first == 0:
+                return float(speeds[0])
+            speeds = np.linspace(speeds[first - 1], speeds[first], 65)
+        return float(speeds[32])

@@ -1,0 +1,166 @@
+"""Lessons: the list, and the one that stands beside the live charts while it runs."""
+
+from __future__ import annotations
+
+import logging
+import math
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import Any
+
+from markupsafe import Markup
+
+from ..controls import field
+from ..lessons import Lesson, Step, Unanswerable, grade, library
+from ..lessons.grading import number_text, told
+from ..lessons.markdown import plain
+from ..lessons.quantities import evaluate, find
+from ..state import SYMBOLS, State
+from .base import Page, Reply
+
+__all__ = ["Lessons", "cards"]
+
+_LOG = logging.getLogger("rotorstab.app")
+_NO_ANSWER = "The solver has no answer here. Go on with “Show me”."
+
+
+def cards() -> list[dict[str, Any]]:
+    """Return what the list shows of each lesson."""
+    books = library()
+    return [
+        {
+            "key": one.key,
+            "title": plain(one.title),
+            "summary": plain(one.summary),
+            "minutes": one.minutes,
+            "steps": len(one.steps),
+            "foreign": one.key in books.foreign,
+        }
+        for one in books.lessons.values()
+    ]
+
+
+def _label(name: str) -> str:
+    """Return a quantity's label as HTML."""
+    found = find(name)
+    assert found is not None  # the parser knows every name
+    quantity, parts = found
+    if name.startswith("parameter."):
+        return str(plain(f"{State.param[parts[0]].label} {SYMBOLS.get(parts[0], '')}".strip()))
+    return str(plain(quantity.label.format(*parts)))
+
+
+def _now(name: str, inputs: Mapping[str, Any]) -> str:
+    """Return a quantity's present value as text."""
+    try:
+        value = evaluate(name, inputs)
+    except ValueError:
+        return "—"
+    if math.isnan(value):
+        return "—"
+    quantity, _ = find(name) or (None, ())
+    if quantity is not None and quantity.flag:
+        return "yes" if value else "no"
+    return number_text(value if abs(value) > 1e-9 else 0.0)
+
+
+def describe(lesson: Lesson, index: int) -> dict[str, Any]:
+    """Return one step as plain values for the browser, its answer left out."""
+    step = lesson.steps[index]
+    question = step.question
+    keys = list(library().lessons)
+    return {
+        "key": lesson.key,
+        "title": str(plain(lesson.title)),
+        "number": keys.index(lesson.key) + 1 if lesson.key in keys else 0,
+        "next": dict(pairwise(keys)).get(lesson.key, ""),
+        "step": index,
+        "titles": [str(Markup(one.title).striptags()) for one in lesson.steps],
+        "intro": lesson.intro if index == 0 else "",
+        "heading": step.title,
+        "predict": step.predict,
+        "kind": question.kind,
+        "ask": question.ask,
+        "choices": [choice.text for choice in question.choices],
+        "unit": question.unit,
+        "range": list(question.range) if question.range else None,
+        "try": step.try_,
+        "has_set": step.has_set,
+        "see": step.see,
+        "look": list(step.look),
+        "move": [field(name) for name in step.move],
+        "given": [[name, _label(name)] for name in step.given],
+        "watch": [[name, _label(name)] for name in step.watch],
+    }
+
+
+class Lessons(Page):
+    """The list of lessons; it also answers for the lesson beside the charts of other pages."""
+
+    key = "lessons"
+    title = "Lessons"
+    takes = frozenset({"lesson", "lesson-set", "lesson-answer", "lesson-show", "lesson-end"})
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._running: tuple[Lesson, int] | None = None
+
+    def compute(self, state: State, settled: bool = True) -> dict[str, Any]:
+        """Return no charts of its own."""
+        return {}
+
+    @property
+    def step(self) -> Step | None:
+        """The step that runs."""
+        return None if self._running is None else self._running[0].steps[self._running[1]]
+
+    def handle(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Begin a step, set what its Try says, judge an answer, show it, or end."""
+        kind, step = message.get("type"), self.step
+        if kind == "lesson":
+            return self._begin(message, state)
+        if kind == "lesson-end":
+            self._running = None
+        elif step is None:
+            return Reply()
+        elif kind == "lesson-set":
+            state.change(step.after)
+        elif kind == "lesson-answer":
+            return Reply({"lesson_answer": self._judge(step, message.get("value"), state)})
+        elif kind == "lesson-show":
+            return Reply({"lesson_answer": self._told(step)})
+        return Reply()
+
+    def _begin(self, message: Mapping[str, Any], state: State) -> Reply:
+        key, index = message.get("lesson"), message.get("step")
+        lesson = library().lessons.get(key) if isinstance(key, str) else None
+        if lesson is None:
+            return Reply({"lesson": None, "told": "There is no such lesson on this server."})
+        known = isinstance(index, int) and 0 <= index < len(lesson.steps)
+        self._running = lesson, int(index) if known else 0
+        if not message.get("keep"):
+            state.change(lesson.steps[self._running[1]].before)
+        return Reply({"lesson": describe(*self._running)}, reset_view=not message.get("keep"))
+
+    def _judge(self, step: Step, value: Any, state: State) -> dict[str, Any]:
+        try:
+            verdict = grade(step, value, state.inputs())
+        except Unanswerable:
+            _LOG.exception("a question without an answer: %s", step.title)
+            return {"right": False, "counted": False, "words": _NO_ANSWER}
+        return {"right": verdict.right, "counted": verdict.counted, "words": verdict.words}
+
+    def _told(self, step: Step) -> dict[str, Any]:
+        try:
+            words = told(step)
+        except Unanswerable:
+            words = "The solver has no answer here."
+        return {"right": False, "counted": True, "words": words, "shown": True}
+
+    def beside(self, state: State) -> dict[str, Any]:
+        """Return the numbers that the running step follows."""
+        step = self.step
+        if step is None:
+            return {}
+        inputs = state.inputs()
+        return {"lesson_numbers": {name: _now(name, inputs) for name in (*step.given, *step.watch)}}
