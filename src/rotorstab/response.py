@@ -393,7 +393,7 @@ def shaft_shape(
     Examples
     --------
     >>> shape = shaft_shape(ShaftDisk(), 0.0, [1.0, 1.5], points=3)
-    >>> shape.displacement.tolist()
+    >>> [float(f"{v:.4f}") for v in shape.displacement]
     [0.0, 0.3125, 1.0]
     """
     p = number("load", load)
