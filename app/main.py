@@ -77,6 +77,12 @@ def build() -> pn.Template:
     template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
     template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
     template.add_variable("paper_script", Markup((ASSETS / "paper.js").read_text(encoding="utf-8")))
+    for name, file in (
+        ("inspector_style", "inspector.css"),
+        ("inspector_script", "inspector.js"),
+        ("shaft_script", "shaft.js"),
+    ):
+        template.add_variable(name, Markup((ASSETS / file).read_text(encoding="utf-8")))
     template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
     template.add_variable("download", download)
     if pn.state.curdoc is not None:
