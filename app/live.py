@@ -14,7 +14,9 @@ import numpy as np
 from bokeh.models import Range1d
 
 from rotorstab import plots
-from rotorstab.charts import Chart
+from rotorstab.charts import Chart, Layer
+
+from .overlay import overlay
 
 __all__ = ["LiveChart"]
 
@@ -57,6 +59,7 @@ class LiveChart:
             if layer.kind == "map" and "color_mapper" in subplot.handles
         }
         self._drawn: dict[str, dict[str, Any]] = {}
+        self._added: set[str] = set()
         self._ranges = {
             "x": (self.figure.x_range, chart.x_range),
             "y": (self.figure.y_range, chart.y_range),
@@ -65,7 +68,12 @@ class LiveChart:
 
     def show(self, chart: Chart) -> None:
         """Patch the sources that differ, and the ranges unless the user has zoomed."""
+        labels = {layer.label for layer in chart.layers}
+        for label in self._added - labels:
+            self._clear(label)
         for layer in chart.layers:
+            if layer.label not in self.sources:
+                self._add(layer)
             columns, drawn = plots.columns(layer), self._drawn.get(layer.label, {})
             # of 12 curves mostly the ordinates move; whole columns, because a new length moves all
             moved = {
@@ -82,6 +90,17 @@ class LiveChart:
             bokeh_range, last = self._ranges[axis]
             self._move(bokeh_range, last, wanted)
             self._ranges[axis] = (bokeh_range, wanted)
+
+    def _add(self, layer: Layer) -> None:
+        """Draw a layer that the chart did not start with, such as a marker."""
+        self.sources[layer.label], self.renderers[layer.label] = overlay(self.figure, layer)
+        self._added.add(layer.label)
+
+    def _clear(self, label: str) -> None:
+        """Empty a layer that the chart no longer has."""
+        if any(len(column) for column in self._drawn.get(label, {}).values()):
+            self._drawn[label] = {name: [] for name in self._drawn[label]}
+            self.sources[label].data = dict(self._drawn[label])
 
     def _rescale(self, image: np.ndarray) -> None:
         """Fit the colours to the largest growth, in steps, so that they rarely move."""

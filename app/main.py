@@ -16,6 +16,9 @@ from .printing import FORMATS
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
+STYLES = ("page.css", "inspector.css", "lessons.css")
+# page.js first: the others hang themselves on what it makes
+SCRIPTS = ("page.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
 LEGENDS = {
     "instability": ("backward", "forward"),
     "load_frequency": ("axial", "follower", "growing", "limit", "current"),
@@ -41,6 +44,11 @@ def legend(roles: tuple[str, ...]) -> Markup:
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
 
 
+def asset(name: str) -> str:
+    """Return the text of a file in assets."""
+    return (ASSETS / name).read_text(encoding="utf-8")
+
+
 def layout() -> str:
     """Return the Jinja text of the whole document, every page's layout in its section."""
     sections = [
@@ -49,7 +57,7 @@ def layout() -> str:
         for index, page in enumerate(PAGES)
     ]
     links = [f'<a href="#{page.key}">{page.title}</a>' for page in PAGES]
-    text = (ASSETS / "page.html").read_text(encoding="utf-8")
+    text = asset("page.html")
     beside = (ASSETS / "pages" / "lesson.html").read_text(encoding="utf-8")
     for mark, content in (("pages", sections), ("links", links), ("beside", [beside])):
         text = text.replace(f"<!-- {mark} -->", "".join(content))
@@ -76,13 +84,8 @@ def build() -> pn.Template:
     template.title = "rotorstab"
     for name, root in Session(pn.state.session_args).roots().items():
         template.add_panel(name, root)
-    template.add_variable("style", Markup((ASSETS / "page.css").read_text(encoding="utf-8")))
-    template.add_variable("script", Markup((ASSETS / "page.js").read_text(encoding="utf-8")))
-    template.add_variable("paper_script", Markup((ASSETS / "paper.js").read_text(encoding="utf-8")))
-    styles = (ASSETS / "lessons.css").read_text(encoding="utf-8")
-    template.add_variable("lessons_style", Markup(styles))
-    scripts = (ASSETS / "lessons.js").read_text(encoding="utf-8")
-    template.add_variable("lessons_script", Markup(scripts))
+    template.add_variable("style", Markup("\n".join(map(asset, STYLES))))
+    template.add_variable("scripts", [Markup(asset(name)) for name in SCRIPTS])
     template.add_variable("lessons", cards())
     template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
     template.add_variable("download", download)

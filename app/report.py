@@ -27,7 +27,7 @@ _NUMBERS = {
     "static_load": "static load p̄₀",
     "fundamental": "natural frequency at rest ω_n",
 }
-_LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness")
+_LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness", "initial", "seed", "periods")
 
 
 def _table(rows: Sequence[tuple[str, str]]) -> str:

@@ -115,8 +115,12 @@ class Session:
         if isinstance(chart, str) and chart in self.pages[self.active].charts:
             name = f"rotorstab-{chart}.{kind}"
             inputs = self.state.inputs()
-            drawn = self.pages[self.active].compute(self.state)[chart]
-            later = printer.file((chart, *inputs.values()), chart_figure(drawn, inputs), kind)
+            page = self.pages[self.active]
+            drawn = page.compute(self.state).get(chart)
+            if drawn is None:  # the inspector's, after its marker is gone
+                return Reply({"told": "no such chart"})
+            key = (chart, *inputs.values(), *page.stamp())
+            later = printer.file(key, chart_figure(drawn, inputs), kind)
         elif isinstance(number, int) and not isinstance(number, bool) and number in FIGURES:
             name = f"rotorstab-figure-{number}.{kind}"
             later = printer.file(number, paper_figure(number), kind)

@@ -42,6 +42,9 @@ _KEYS = {
     "marker": "at",
     "marker_frequency": "f",
     "marker_factor": "b",
+    "initial": "ic",
+    "seed": "seed",
+    "periods": "n",
 }
 _NAMES = {key: name for name, key in _KEYS.items()}
 _LONGEST = 40  # characters of one value; the longest honest one has 18

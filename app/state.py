@@ -198,6 +198,27 @@ class State(param.Parameterized):
         doc="β_d of the point that is looked into.",
     )
 
+    initial = param.Selector(
+        default="knock",
+        objects=["knock", "noise", "mode 1B", "mode 1F", "mode 2B", "mode 2F"],
+        label="Starts from",
+        doc="A blow on the disk along V, random motion of every whirl mode, or one whirl mode.",
+    )
+    seed = param.Number(
+        default=1.0,
+        bounds=(0.0, 999.0),
+        step=1.0,
+        label="Seed of the noise",
+        doc="Another whole number gives another random start.",
+    )
+    periods = param.Number(
+        default=12.0,
+        bounds=(1.0, 400.0),
+        step=1.0,
+        label="Periods shown",
+        doc="Length of the response, in periods of the load.",
+    )
+
     def inputs(self) -> dict[str, Any]:
         """Return every input by name."""
         return {name: getattr(self, name) for name in _NAMES}

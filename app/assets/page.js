@@ -34,6 +34,8 @@ window.rotorstab = (() => {
     }
   }
 
+  page.paintCharts = paintCharts;
+
   function setTheme(name, keep) {
     root.dataset.theme = name;
     const button = document.querySelector("button.theme");
@@ -119,6 +121,7 @@ window.rotorstab = (() => {
     if (data.errors_table) showErrors(data.errors_table);
     page.paper.answer(data);
     page.lessons.answer(data);
+    page.inspector.answer(data);
     if (data.python) {
       const dialog = document.querySelector("dialog.code");
       dialog.querySelector("code").textContent = data.python;

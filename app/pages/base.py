@@ -15,9 +15,9 @@ from rotorstab.charts import Chart
 from ..live import LiveChart
 from ..state import State
 
-__all__ = ["Page", "Reply"]
+__all__ = ["FRAGMENTS", "Page", "Reply"]
 
-_FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
+FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Page:
     @classmethod
     def fragment(cls) -> str:
         """Return the page's Jinja text, which embeds its roots by name."""
-        return (_FRAGMENTS / f"{cls.key}.html").read_text(encoding="utf-8")
+        return (FRAGMENTS / f"{cls.key}.html").read_text(encoding="utf-8")
 
     def roots(self) -> dict[str, Any]:
         """Return the page's Panel roots by the name its layout uses."""
@@ -65,6 +65,10 @@ class Page:
     def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
+
+    def stamp(self) -> tuple[Any, ...]:
+        """Return what tells the charts from others of the same inputs; all of it can be hashed."""
+        return ()
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a message that only this page knows."""

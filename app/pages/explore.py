@@ -2,28 +2,68 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
+
+from bokeh.models import CustomJS
 
 from rotorstab.charts import Chart
 
-from ..analysis import CHARTS, solve
+from ..analysis import CHARTS, Result, solve
+from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
+from ..pins import MOST_PINS, Pin, differences, ghosted, pin
 from ..state import State
 from ..verdict import verdict
-from .base import Page
+from .base import FRAGMENTS, Page, Reply
 
 __all__ = ["Explore"]
 
 
 class Explore(Page):
-    """The three live charts, the key numbers and the verdict in words."""
+    """The three live charts, the key numbers, the verdict, the inspector and the pins."""
 
     key = "explore"
     title = "Explore"
-    chart_keys = CHARTS
+    chart_keys = (*CHARTS, *INSPECTOR_CHARTS)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.pins: list[Pin] = []
+
+    @classmethod
+    def fragment(cls) -> str:
+        """Return the page's layout with the marker's and the inspector's."""
+        text = super().fragment()
+        for name in ("marker", "inspector"):
+            part = (FRAGMENTS / f"{name}.html").read_text(encoding="utf-8")
+            text = text.replace(f"<!-- {name} -->", part)
+        return text
 
     def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
-        """Return the three charts; the map of growth is coarser while sliders move."""
-        return solve(state, settled).charts
+        """Return the three charts, and the inspector's where a point is marked.
+
+        The map of growth is coarser while sliders move.
+        """
+        result = solve(state, settled)
+        charts = ghosted(result.charts, self.pins)
+        if state.marker:
+            charts = marked(charts, state, result)
+            inspection = self._inspect(state, result)
+            if isinstance(inspection, Inspection):
+                charts = charts | inspection.charts
+        return charts
+
+    def stamp(self) -> tuple[Any, ...]:
+        """Return what tells these charts from others of the same inputs."""
+        return tuple((one.name, one.number, *one.inputs.values()) for one in self.pins)
+
+    @staticmethod
+    def _inspect(state: State, result: Result) -> Inspection | str:
+        """Return the inspection or, where there is none, why."""
+        try:
+            return inspect(state, result)
+        except ValueError as error:
+            return str(error)
 
     def visible(self, state: State) -> dict[str, bool]:
         """Return the layers of the instability chart that can be switched."""
@@ -35,7 +75,47 @@ class Explore(Page):
             "boundary name": state.show_bolotin,
         }
 
+    def show(self, state: State, settled: bool = True) -> None:
+        """Draw; the first time, let a click on the instability chart place the marker."""
+        first = not self.charts
+        super().show(state, settled)
+        if first:
+            self.charts["instability"].figure.js_on_event(
+                "tap", CustomJS(code="window.rotorstab.inspector.tap(cb_obj.x, cb_obj.y)")
+            )
+
+    def handle(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Keep the present curves as a ghost, or let one go."""
+        kind = message.get("type")
+        if kind == "pin":
+            try:
+                made = pin(state, message.get("label"), self.pins)
+            except ValueError as error:
+                return Reply({"told": str(error)})
+            if made is None:
+                return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
+            self.pins.append(made)
+            return Reply({"told": f"{made.name} is kept"})
+        if kind == "unpin":
+            self.pins = [one for one in self.pins if one.number != message.get("number")]
+        return Reply()
+
     def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
-        """Return the key numbers and the verdict."""
+        """Return the key numbers, the verdict, the marked point and the pins."""
         result = solve(state, settled)
-        return {"numbers": result.numbers, "verdict": verdict(result.floquet), "settled": settled}
+        answer = {
+            "numbers": result.numbers,
+            "verdict": verdict(result.floquet),
+            "settled": settled,
+            "inspector": None,
+            "pins": differences(state, result, self.pins) if self.pins else None,
+        }
+        if state.marker:
+            found = self._inspect(state, result)
+            if isinstance(found, str):
+                answer["inspector"] = {"sentence": found, "facts": []}
+            else:
+                # the animation waits for rest: it needs no message a frame
+                moving = {} if not settled else {"motion": found.motion}
+                answer["inspector"] = {"sentence": found.sentence, "facts": found.facts} | moving
+        return answer

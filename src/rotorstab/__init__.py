@@ -13,6 +13,13 @@ from .floquet import floquet_multipliers, growth_rate
 from .hill import hill_boundary_frequencies
 from .margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
 from .resonance import Resonance, ResonanceTable, resonances
+from .response import (
+    ShaftShape,
+    TimeResponse,
+    initial_conditions,
+    shaft_shape,
+    time_response,
+)
 from .rotor import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from .stability import StabilityChart, stability_chart, stability_map
 from .stiffness import exact_stiffness, linear_stiffness
@@ -38,9 +45,11 @@ __all__ = [
     "ResonanceTable",
     "Scales",
     "ShaftDisk",
+    "ShaftShape",
     "StabilityChart",
     "StabilityMargin",
     "System",
+    "TimeResponse",
     "TongueEdges",
     "WhirlCurves",
     "beck_load",
@@ -59,13 +68,16 @@ __all__ = [
     "growth_rate",
     "hill_boundary_frequencies",
     "in_bolotin_region",
+    "initial_conditions",
     "linear_stiffness",
     "load_frequency_curves",
     "lumped",
     "resonances",
+    "shaft_shape",
     "stability_chart",
     "stability_map",
     "stability_margin",
+    "time_response",
     "tongue_edges",
     "whirl_frequencies",
 ]

@@ -49,7 +49,7 @@ class FloquetSolution:
     converged: NDArray[np.bool_]
 
 
-def _extrapolation_weights(levels: tuple[int, ...]) -> Array:
+def extrapolation_weights(levels: tuple[int, ...]) -> Array:
     """Return weights that remove the errors h⁶, h⁸ … of a symmetric scheme of order 6."""
     count = len(levels)
     powers = [[float(n) ** -(4 + 2 * k) if k else 1.0 for n in levels] for k in range(count)]
@@ -58,8 +58,8 @@ def _extrapolation_weights(levels: tuple[int, ...]) -> Array:
     return np.asarray(np.linalg.solve(np.array(powers), target))
 
 
-_FINE = _extrapolation_weights(_LEVELS)
-_COARSE = np.concatenate([[0.0], _extrapolation_weights(_LEVELS[1:])])
+_FINE = extrapolation_weights(_LEVELS)
+_COARSE = np.concatenate([[0.0], extrapolation_weights(_LEVELS[1:])])
 
 
 def _take(basis: ModalBasis, index: NDArray[np.intp]) -> ModalBasis:

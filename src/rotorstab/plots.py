@@ -16,7 +16,7 @@ from bokeh.palettes import Plasma256
 
 from .charts import ROLES, Chart, Layer
 
-__all__ = ["columns", "element"]
+__all__ = ["POINT_LOOKS", "columns", "element"]
 
 
 _SIDES: Mapping[str, Mapping[str, Any]] = {
@@ -25,6 +25,28 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "upper left": {"align": "right", "baseline": "bottom", "dx": -4, "dy": -2},
     "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
     "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
+}
+_DIAMOND = {"marker": "diamond", "size": 10, "color": ROLES["current"].color, "line_color": "white"}
+# by the label of the layer; shape and filling tell what the colour tells
+POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
+    "multipliers": _DIAMOND | {"marker": "circle", "size": 11, "color": "#1f7fbf"},
+    "growing multipliers": _DIAMOND | {"marker": "triangle", "size": 14, "color": "#d1480f"},
+    "minus one": {
+        "marker": "x",
+        "size": 14,
+        "color": "#a8518a",
+        "line_color": "#a8518a",
+        "line_width": 3,
+    },
+    "start": _DIAMOND | {"marker": "circle", "size": 10},
+    "end": _DIAMOND | {"marker": "square", "size": 9, "color": "#c2255c"},
+    "marker": {
+        "marker": "circle_dot",
+        "size": 16,
+        "color": "white",
+        "line_color": "#c2255c",
+        "line_width": 3,
+    },
 }
 _GROWTH_COLOURS = list(Plasma256[30:236])
 _DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
@@ -122,6 +144,18 @@ def _finish(plot: Any, _: Any) -> None:
             major_label_text_font_size="12px",
             minor_tick_line_color=None,
         )
+
+
+def _make_square(plot: Any, _: Any) -> None:
+    """Give the frame borders of one size, so that a square place makes equal scales."""
+    # no toolbar: it would take its height from the frame
+    plot.state.update(
+        toolbar_location=None,
+        min_border_left=64,
+        min_border_right=14,
+        min_border_top=14,
+        min_border_bottom=64,
+    )
 
 
 def _bare_colours(plot: Any, _: Any) -> None:
@@ -224,10 +258,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
     if layer.kind == "points":
         return hv.Points(marks, vdims=["name"], label=label).opts(
             hv.opts.Points(
-                marker="diamond",
-                size=10,
-                color=ROLES["current"].color,
-                line_color="white",
+                **POINT_LOOKS.get(layer.label, _DIAMOND),
                 tools=[_hover(chart)],
                 backend="bokeh",
             )
@@ -268,7 +299,7 @@ def element(chart: Chart) -> hv.Overlay:
             min_height=240,
             toolbar="above",
             default_tools=_TOOLS,
-            hooks=[_finish],
+            hooks=[_finish, _make_square] if chart.square else [_finish],
             backend="bokeh",
         )
     )

@@ -17,7 +17,7 @@ from .modal import ModalBasis
 from .stiffness import largest_exact_load
 from .system import System
 
-__all__ = ["MAP_SCHEME", "POINT_SCHEME", "Scheme", "propagate"]
+__all__ = ["MAP_SCHEME", "POINT_SCHEME", "Scheme", "propagate", "segment_propagators"]
 
 _ENTRIES_WANTED = 8192  # below, the overhead of a NumPy call outweighs its work
 
@@ -203,6 +203,30 @@ def propagate(
     entries = size * size * int(np.prod(grid))
     segments = max(1, min(steps, _ENTRIES_WANTED // max(entries, 1)))
     steps = -(-steps // segments)
+    return _chain(segment_propagators(system, basis, loads, span, turn, steps, scheme, segments))
+
+
+def segment_propagators(
+    system: System,
+    basis: ModalBasis,
+    loads: Loads,
+    span: Array,
+    turn: float,
+    steps: int,
+    scheme: Scheme,
+    segments: int,
+) -> Complex:
+    """Return Y over each of `segments` equal parts of the span, first part first.
+
+    The other parameters are those of `propagate`, but for `steps`, counted in one segment.
+
+    Returns
+    -------
+    (2n, 2n, segments, *grid) complex
+        In modal coordinates; their product, the last one leftmost, is Y(span).
+    """
+    size = 2 * system.size
+    grid = np.broadcast_shapes(loads[0].shape, loads[1].shape, span.shape)
     step = span / (steps * segments)
     maker = _linear_factors if system.is_linear else _exact_factors
     left, right, factors = maker(system, basis, loads, step, scheme.gradient)
@@ -243,4 +267,4 @@ def propagate(
             which = stage % len(times)
             final = which == len(times) - 1 and index[stage // len(times)] == steps - 1
             y *= flows[scheme.drifts[-1] if final else drifts[which + 1]]
-    return _chain(y)
+    return y

@@ -5,6 +5,13 @@ dashboard patches its columns, a table export writes them: all three see the sam
 """
 
 from .explore import GrowthGrid, campbell_chart, instability_chart, load_frequency_chart
+from .inspector import (
+    marker_layer,
+    multiplier_chart,
+    orbit_chart,
+    pair_layers,
+    response_chart,
+)
 from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role
@@ -20,5 +27,10 @@ __all__ = [
     "error_loads",
     "instability_chart",
     "load_frequency_chart",
+    "marker_layer",
+    "multiplier_chart",
+    "orbit_chart",
+    "pair_layers",
+    "response_chart",
     "stiffness_charts",
 ]

@@ -47,7 +47,8 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         elif layer.kind == "points":
             for x, y, name in zip(data["x"], data["y"], data["name"], strict=True):
                 point = np.array([x]), np.array([y])
-                series.append(Series(name, "critical speed", "solid", *point, "#0f8a6a"))
+                meaning = "critical speed" if layer.label == "critical speeds" else layer.label
+                series.append(Series(name, meaning, "solid", *point, "#0f8a6a"))
         elif layer.kind == "regions":
             for x, y, name in zip(*data.values(), strict=True):
                 regions.append(Region(name, name, "solid", x, y))

@@ -45,6 +45,15 @@ ROLES: Mapping[str, Role] = {
     "k11": Role("#1f7fbf", "solid", 2.2, "k̄₁₁, k̄₁₂ and k̄₂₁: one curve"),
     "k22": Role("#a8518a", "8 4 2 4", 2.2, "k̄₂₂"),
     "level": Role("#80868f", "9 5", 1.4, "1 % and 5 %"),
+    "unit circle": Role("#80868f", "solid", 1.6, "unit circle"),
+    "tip V": Role("#1f7fbf", "solid", 1.5, "V of the tip"),
+    "tip W": Role("#cf5a12", "6 3", 1.5, "W of the tip"),
+    "envelope": Role("#80868f", "9 5", 1.6, "envelope e^σt"),
+    "orbit": Role("#1f7fbf", "solid", 1.1, "path of the tip"),
+    "marker": Role("#c2255c", "solid", 4.0, "point looked into, θ̄ as a ruler"),
+    "pin 1": Role("#7a6fd8", "3 3", 1.6, "first pin"),
+    "pin 2": Role("#9a7b00", "7 3", 1.6, "second pin"),
+    "pin 3": Role("#2f8f8f", "7 3 2 3", 1.6, "third pin"),
     "limit": Role("#80868f", "9 5", 1.4, "buckling or flutter load"),
 }
 
@@ -89,6 +98,7 @@ class Chart:
     x_range: tuple[float, float]
     y_range: tuple[float, float]
     layers: tuple[Layer, ...]
+    square: bool = False  # both axes to one scale, in a square place
 
     def layer(self, label: str) -> Layer:
         """Return the layer of that label."""

@@ -1,0 +1,314 @@
+"""What is inside one point of the instability chart: motion, multipliers, words, marks."""
+
+from __future__ import annotations
+
+import math
+from base64 import b64encode
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from rotorstab import (
+    TimeResponse,
+    in_bolotin_region,
+    initial_conditions,
+    shaft_shape,
+    time_response,
+    whirl_frequencies,
+)
+from rotorstab.charts import (
+    Chart,
+    Layer,
+    marker_layer,
+    multiplier_chart,
+    orbit_chart,
+    pair_layers,
+    response_chart,
+)
+from rotorstab.floquet import FloquetSolution, floquet_solution
+from rotorstab.stiffness import largest_exact_load
+
+from .analysis import Model, Result
+from .state import State
+
+__all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
+
+INSPECTOR_CHARTS = ("response", "multipliers", "orbit")
+_ROWS = 6000  # most samples of one response; more would only slow the page
+_SAMPLES = (24, 600)  # a period
+_PER_CYCLE = 14  # samples in one cycle of the fastest whirl
+_POINTS = 25  # of the shaft's shape
+_PRECISE = 1e-8  # growth below this is rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Inspection:
+    """One point, looked into.
+
+    Parameters
+    ----------
+    charts : dict of str to Chart
+    facts : list of [name, value]
+        The point in words, for the page.
+    sentence : str
+        The same as one sentence or two.
+    motion : dict
+        What the animation needs, plain values.
+    response : TimeResponse
+    """
+
+    charts: dict[str, Chart]
+    facts: list[list[str]]
+    sentence: str
+    motion: dict[str, Any]
+    response: TimeResponse
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """Two whirl modes and how far θ̄ is from the frequency at which they would resonate."""
+
+    name: str
+    frequencies: tuple[float, float]
+    combination: str
+    unstable: bool
+
+
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """Loads and frequencies of the marker."""
+
+    model: Model
+    spin_speed: float
+    tangency: float
+    static: float
+    pulsating: float
+    excitation: float
+    initial: str
+    seed: int
+    periods: int
+
+
+def _nearest_pair(result: Result, excitation: float) -> _Pair | None:
+    """Return the pair of first and second modes whose frequencies differ by the nearest to θ̄."""
+    table = result.floquet.table
+    known = {
+        name: float(np.real(one))
+        for name, one in zip(table.modes, table.frequencies, strict=True)
+        if name[0] in "12" and len(name) == 2
+    }
+    best: _Pair | None = None
+    for first, second in combinations(known, 2):
+        pair = known[first], known[second]
+        gap = abs(pair[0] - pair[1])
+        if best is None or abs(gap - excitation) < abs(
+            abs(best.frequencies[0] - best.frequencies[1]) - excitation
+        ):
+            row = next(row for row in table if {row.first, row.second} == {first, second})
+            word = "difference" if first[-1] == second[-1] else "sum"
+            best = _Pair(row.name, pair, f"{word} of {first} and {second}", row.unstable)
+    return best
+
+
+def marked(charts: dict[str, Chart], state: State, result: Result) -> dict[str, Chart]:
+    """Return the three charts with the marker on them."""
+    excitation = state.marker_frequency * result.numbers["fundamental"]
+    marks: dict[str, Sequence[Layer]] = {
+        "instability": [marker_layer(state.marker_frequency, state.marker_factor)]
+    }
+    pair = _nearest_pair(result, excitation)
+    if pair is not None:
+        for key, x in (
+            ("load-frequency", result.numbers["static_load"]),
+            ("campbell", state.spin_speed),
+        ):
+            marks[key] = pair_layers(x, pair.frequencies, pair.name, excitation)
+    return {
+        key: replace(chart, layers=(*chart.layers, *marks.get(key, ())))
+        for key, chart in charts.items()
+    }
+
+
+def _floats(values: Any) -> str:
+    """Return little-endian 32-bit floats as base64."""
+    return b64encode(np.ascontiguousarray(values, "<f4").tobytes()).decode()
+
+
+def _motion(point: _Point, motion: TimeResponse, samples: int) -> dict[str, Any]:
+    """Return what the animation draws, sizes relative to the largest excursion."""
+    pole = float(largest_exact_load(point.model.rotor.shear))
+    shapes = shaft_shape(
+        point.model.rotor, min(point.static, 0.9 * pole), np.eye(2), _POINTS
+    ).displacement
+    largest = float(np.abs(motion.displacement).max()) or 1.0
+    u, psi = motion.displacement / largest, motion.slope / largest
+    return {
+        "tip": _floats([u.real, u.imag, psi.real, psi.imag]),
+        "shapes": [[round(float(one), 6) for one in row] for row in shapes],
+        "samples": samples,
+        "period": motion.period,
+        "growth": motion.growth_rate,
+        "largest": largest if motion.log_scale == 0 else None,
+        "static": point.static,
+        "pulsating": point.pulsating,
+        "tangency": point.tangency,
+        "spin": point.spin_speed,
+        "fastest": float(max(point.excitation, _pace_of(motion))),
+    }
+
+
+def _pace_of(motion: TimeResponse) -> float:
+    """Return the mean angular speed of the tip about the axis, for the pace of the animation."""
+    turned = np.angle(motion.displacement[1:] * motion.displacement[:-1].conj())
+    weights = np.abs(motion.displacement[1:])
+    total = float(weights.sum())
+    if total == 0:
+        return 0.0
+    return float(np.abs(turned) @ weights / total / (motion.time[1] - motion.time[0]))
+
+
+def _quantity(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")
+
+
+def _pace(growth: float, period: float) -> tuple[str, str]:
+    """Return the name and the value of doubling or halving."""
+    time = math.log(2) / abs(growth)
+    name = "Doubles in" if growth > 0 else "Halves in"
+    return name, f"{time / period:.3g} periods (t̄ = {_quantity(time)})"
+
+
+def _describe(
+    state: State, floquet: FloquetSolution, bolotin: bool, pair: _Pair | None, result: Result
+) -> tuple[list[list[str]], str]:
+    """Return the facts and the sentence of one point."""
+    frequency = result.numbers["fundamental"]
+    period = 2 * np.pi / (state.marker_frequency * frequency)
+    growth = float(floquet.growth_rate)
+    settled = max(_PRECISE, 3 * float(floquet.error))
+    unstable = growth > settled
+    decays = growth < -settled
+    verdict = "unstable" if unstable else "stable: it decays" if decays else "stable"
+    region = "inside a Bolotin region" if bolotin else "outside every Bolotin region"
+    facts = [["Floquet", verdict], ["Bolotin", region]]
+    outside = int((np.abs(floquet.multipliers) > 1 + 1e-6).sum())
+    sentence = (
+        f"At θ/ωₙ = {state.marker_frequency:.3f} and β_d = {state.marker_factor:.3f} "
+        f"the rotor is {'unstable' if unstable else 'stable'} (Floquet"
+    )
+    if unstable or decays:
+        name, pace = _pace(growth, period)
+        facts += [
+            ["Growth rate σ̄", _quantity(growth)],
+            ["σ̄T a period", _quantity(growth * period)],
+            [name, pace],
+        ]
+        sentence += f": the motion {name[0].lower()}{name[1:]} {pace.split(' (')[0]})"
+    else:
+        facts += [["Growth rate σ̄", "0"], ["Doubles in", "never"]]
+        sentence += ": the motion neither grows nor dies)"
+    sentence += f"; {outside or 'no'} multiplier{'s lie' if outside != 1 else ' lies'} outside "
+    sentence += "the unit circle. "
+    if bolotin == unstable:
+        sentence += f"Bolotin agrees: the point is {region}."
+    elif bolotin:
+        sentence += (
+            "Bolotin’s method draws a region here, but no multiplier has left the unit circle."
+        )
+    else:
+        sentence += "Bolotin’s method draws no region here: it misses this tongue."
+    if pair is not None:
+        centre = abs(pair.frequencies[0] - pair.frequencies[1]) / frequency
+        off = state.marker_frequency - centre
+        facts.append(["Nearest pair", f"{pair.name} at θ/ωₙ = {centre:.3f}"])
+        facts.append(["θ above it by", f"{off:+.3f}".replace("-", "−")])
+        word = "makes a tongue" if pair.unstable else "makes no tongue under this load"
+        sentence += f" Nearest is the {pair.combination}, θ/ωₙ = {centre:.3f}, which {word}."
+    return facts, sentence
+
+
+@lru_cache(maxsize=64)
+def _respond(
+    model: Model,
+    spin_speed: float,
+    tangency: float,
+    loads: tuple[float, float],
+    excitation: float,
+    start: tuple[str, int],
+    periods: int,
+) -> tuple[TimeResponse, FloquetSolution, int, dict[str, Chart]]:
+    """Return the response, Floquet's answer, the samples a period and the charts."""
+    system = model.system(spin_speed, tangency)
+    static, pulsating = loads
+    kind, seed = start
+    initial = initial_conditions(system, static, kind.replace(" ", ":"), seed)
+    floquet = floquet_solution(system, static, pulsating, excitation)
+    fastest = _fastest(model, spin_speed, tangency, static)
+    samples = int(np.clip(_PER_CYCLE * fastest / excitation, *_SAMPLES))
+    periods = max(1, min(periods, _ROWS // samples))
+    motion = time_response(system, static, pulsating, excitation, initial, periods, samples)
+    charts = (response_chart(motion), multiplier_chart(floquet.multipliers), orbit_chart(motion))
+    return motion, floquet, samples, {chart.key: chart for chart in charts}
+
+
+@lru_cache(maxsize=64)
+def _fastest(model: Model, spin_speed: float, tangency: float, static: float) -> float:
+    """Return the largest whirl frequency of the first two modes each way."""
+    values = whirl_frequencies(model.system(spin_speed, tangency), static).real
+    half = len(values) // 2
+    return float(np.abs(values[max(0, half - 2) : half + 2]).max())
+
+
+def inspect(state: State, result: Result) -> Inspection:
+    """Return what is inside the marked point.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where this point has no answer.
+    """
+    model = Model(
+        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
+    )
+    reference = result.numbers["reference"]
+    point = _Point(
+        model=model,
+        spin_speed=state.spin_speed,
+        tangency=state.effective_tangency(),
+        static=result.numbers["static_load"],
+        pulsating=state.marker_factor * reference,
+        excitation=state.marker_frequency * result.numbers["fundamental"],
+        initial=state.initial,
+        seed=round(state.seed),
+        periods=round(state.periods),
+    )
+    motion, floquet, samples, charts = _respond(
+        model,
+        point.spin_speed,
+        point.tangency,
+        (point.static, point.pulsating),
+        point.excitation,
+        (point.initial, point.seed if point.initial == "noise" else 0),
+        point.periods,
+    )
+    plain = model.undamped().system(point.spin_speed, point.tangency)
+    bolotin = bool(in_bolotin_region(plain, point.static, point.pulsating, point.excitation))
+    pair = _nearest_pair(result, point.excitation)
+    facts, sentence = _describe(state, floquet, bolotin, pair, result)
+    shown = round(motion.time[-1] / motion.period)
+    if shown < point.periods:
+        facts.append(["Periods shown", f"{shown}: the whirl is fast against the load"])
+    grown = motion.growth_rate * float(motion.time[-1]) / math.log(10)
+    if grown > 2:
+        facts.append(["Grows over the stretch", f"by 10 to the power {grown:.1f}"])
+    return Inspection(
+        charts=charts,
+        facts=facts,
+        sentence=sentence,
+        motion=_motion(point, motion, samples),
+        response=motion,
+    )
