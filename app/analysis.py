@@ -40,6 +40,7 @@ from rotorstab.charts import (
     stiffness_charts,
 )
 from rotorstab.figures import FIGURES, Figure
+from rotorstab.outlines import Outline, unstable_outlines
 from rotorstab.stability import StabilityChart
 from rotorstab.stiffness import largest_exact_load
 
@@ -70,6 +71,7 @@ PIXELS = {
     ("finite elements", False): (20, 40, 0.6),
     ("finite elements", True): (48, 120, 1.0),
 }
+LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
@@ -185,8 +187,8 @@ def map_options(model: Model, settled: bool) -> dict[str, Any]:
     return {
         "density": PIXELS[model.kind, settled][2],
         "refine": settled and model.kind == "lumped",
-        # looking for tongues thinner than a pixel is quick only in closed form
-        "seed": settled and model == Model(model.rotor),
+        # where edges are drawn they show the tongues thinner than a pixel
+        "seed": False,
     }
 
 
@@ -246,7 +248,11 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
     # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
     centre = growth.growth > growth.error
     grid = GrowthGrid(
-        growth.peak_growth, growth.unstable, mask, inputs["growth_unit"] == "per period"
+        growth.growth,
+        growth.unstable,
+        mask,
+        inputs["growth_unit"] == "per period",
+        _outlines(model, spin, tangency, static, window) if settled else (),
     )
     table = resonances(system, static, 0.1 * reference)
     charts = (
@@ -287,6 +293,22 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             both_share=float((mask & centre).mean()),
         ),
     )
+
+
+@lru_cache(maxsize=48)
+def _outlines(
+    model: Model,
+    spin_speed: float,
+    tangency: float,
+    static_load: float,
+    window: tuple[float, float, float],
+) -> tuple[Outline, ...]:
+    """Return the exact edges of the tongues in a window, where they can be had at once."""
+    low, high, top = window
+    low = max(low, LOWEST_EDGE * _rotor_numbers(model.rotor)[1])
+    if model != Model(model.rotor) or high <= low:
+        return ()
+    return unstable_outlines(model.system(spin_speed, tangency), static_load, top, low, high)
 
 
 def model_of(state: State) -> Model:

@@ -20,7 +20,7 @@ STYLES = ("page.css", "inspector.css", "lessons.css")
 # page.js first: the others hang themselves on what it makes
 SCRIPTS = ("page.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
 LEGENDS = {
-    "instability": ("backward", "forward"),
+    "instability": ("backward", "forward", "edge"),
     "load_frequency": ("axial", "follower", "growing", "limit", "current"),
     "campbell": ("backward", "forward", "synchronous", "current"),
     "coefficients": ("exact", "linear"),

@@ -69,6 +69,8 @@ class Explore(Page):
         """Return the layers of the instability chart that can be switched."""
         return {
             "growth": state.show_growth,
+            "tongue edge": state.show_growth,
+            "tongue": state.show_growth,
             "disagreement": state.show_disagreement,
             "Bolotin region": state.show_bolotin,
             "boundary": state.show_bolotin,

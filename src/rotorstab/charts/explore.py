@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..bolotin import BolotinChart
+from ..outlines import Outline
 from ..whirl import CriticalSpeeds, WhirlCurves
 from .structure import Chart, Layer, Lines, label_columns, mark_columns, symmetric
 
@@ -32,12 +33,15 @@ class GrowthGrid:
         Whether the pixel lies in a Bolotin region; None where there is none to compare with.
     per_period : bool
         Whether to colour by σ̄T instead of σ̄.
+    outlines : tuple of Outline
+        Exact edges of the tongues, where they were computed.
     """
 
     growth: Array
     unstable: NDArray[np.bool_]
     bolotin: NDArray[np.bool_] | None
     per_period: bool = False
+    outlines: tuple[Outline, ...] = ()
 
 
 def _label_tongues(
@@ -99,6 +103,19 @@ def _growth_layers(
         ),
         Layer("map", "disagreement", {"image": [disagree], **place}),
     ]
+
+
+def _edge_lines(
+    outlines: Sequence[Outline], fundamental_frequency: float, reference_load: float
+) -> dict[str, Sequence[Any]]:
+    """Return the outline of every piece of the unstable set: up its left edge, down its right."""
+    lines = Lines()
+    for one in outlines:
+        theta = np.concatenate([one.left, one.right[::-1]]) / fundamental_frequency
+        load = np.concatenate([one.pulsating_loads, one.pulsating_loads[::-1]]) / reference_load
+        order = f", order {one.order}" if one.order > 1 else ""
+        lines.add(theta, load, f"tongue {one.name}{order}" if one.order else "unstable", "edge")
+    return lines.columns
 
 
 def _direction(name: str) -> str:
@@ -176,6 +193,11 @@ def instability_chart(
                 ()
                 if grid is None
                 else (
+                    Layer(
+                        "lines",
+                        "tongue edge",
+                        _edge_lines(grid.outlines, fundamental_frequency, reference_load),
+                    ),
                     Layer(
                         "labels",
                         "tongue",

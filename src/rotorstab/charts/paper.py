@@ -36,12 +36,15 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
     Figure
         Exactly the arrays of the chart's lines and regions.
     """
-    series, regions, labels = [], [], []
+    series, regions, labels, unstable = [], [], [], []
     for layer in chart.layers:
         data = layer.columns
         if layer.kind == "lines":
             for x, y, name, role in zip(*data.values(), strict=True):
                 look = ROLES[role]
+                if role == "edge":
+                    unstable.append(Region(name, "unstable (Floquet)", "solid", x, y))
+                    continue
                 style: Any = _STYLES.get(look.dash, "dashdot")
                 series.append(Series(name, look.meaning, style, x, y, look.color))
         elif layer.kind == "points":
@@ -67,6 +70,7 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         y_range=chart.y_range,
         regions=tuple(regions),
         labels=tuple(labels),
+        unstable=tuple(unstable),
     )
     return Figure(
         number=0, title=chart.title, caption="", parameters=dict(parameters), panels=(panel,)

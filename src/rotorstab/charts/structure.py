@@ -37,6 +37,7 @@ ROLES: Mapping[str, Role] = {
     "partly exact": Role("#0f8a6a", "2 4", 2.0, "partly follower, exact stiffness"),
     "axial exact": Role("#1f7fbf", "2 4", 2.0, "axial, exact stiffness"),
     "follower exact": Role("#cf5a12", "2 4 8 4", 1.6, "follower, exact stiffness"),
+    "edge": Role("#9a4fd0", "solid", 1.3, "edge of a tongue (Floquet)"),
     "growing": Role("#a8518a", "2 4", 2.6, "complex pair: Re ω̄ of a growing whirl"),
     "synchronous": Role("#80868f", "8 4 2 4", 1.4, "synchronous, |ω̄| = Ω̄"),
     "current": Role("#0f8a6a", "solid", 1.8, "present setting"),
