@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from .figures import Figure, Panel, Region, Series, Table
+from .figures import Figure, Grid, Panel, Region, Series, Table
 
 __all__ = [
     "columns_csv",
@@ -132,7 +132,8 @@ def figure_csv(figure: Figure) -> str:
     str
         Comment lines (title, units, parameters), then the columns panel, kind (line, region
         or unstable), name, style, x, y: one row a point. A gap in a line has an empty y or x.
-        A region is Bolotin's, unstable is Floquet's.
+        A region is Bolotin's, unstable is Floquet's. Where a panel has a map, its pixels
+        follow as rows of kind map with their centre and, in one more column, their value.
     """
     details = [figure.caption]
     details += [
@@ -152,7 +153,18 @@ def figure_csv(figure: Figure) -> str:
         for x, y in zip(one.x, one.y, strict=True)
     )
     head = _comments(_heading(figure), details, figure.parameters)
-    return head + _csv_rows(("panel", "kind", "name", "style", "x", "y"), rows)
+    header: tuple[str, ...] = ("panel", "kind", "name", "style", "x", "y")
+    grids = [(panel.letter, panel.grid) for panel in figure.panels if panel.grid is not None]
+    if not grids:
+        return head + _csv_rows(header, rows)
+    pixels = (
+        (letter, "map", f"{grid.name} [{grid.unit}]", "", x, y, value)
+        for letter, grid in grids
+        for y, row in zip(grid.y, grid.values, strict=True)
+        for x, value in zip(grid.x, row, strict=True)
+    )
+    wider = ((*row, math.nan) for row in rows)
+    return head + _csv_rows((*header, "value"), (row for part in (wider, pixels) for row in part))
 
 
 def _curve(one: Series | Region) -> dict[str, Any]:
@@ -165,6 +177,16 @@ def _curve(one: Series | Region) -> dict[str, Any]:
     }
 
 
+def _grid(grid: Grid) -> dict[str, Any]:
+    return {
+        "name": grid.name,
+        "unit": grid.unit,
+        "x": _numbers(grid.x),
+        "y": _numbers(grid.y),
+        "values": [_numbers(row) for row in grid.values],
+    }
+
+
 def _panel(panel: Panel) -> dict[str, Any]:
     return {
         "letter": panel.letter,
@@ -174,6 +196,7 @@ def _panel(panel: Panel) -> dict[str, Any]:
         "lines": [_curve(one) for one in panel.series],
         "regions": [_curve(one) for one in panel.regions],
         "unstable": [_curve(one) for one in panel.unstable],
+        **({} if panel.grid is None else {"map": _grid(panel.grid)}),
     }
 
 

@@ -146,6 +146,11 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
         )
         for region in panel.regions
     ]
+    if panel.grid is not None:
+        grid = panel.grid
+        values = np.where(grid.values > 0, grid.values, np.nan)
+        picture = hv.Image((grid.x, grid.y, values), ["x", "y"], grid.name)
+        shades.insert(0, picture.opts(cmap="plasma", backend=backend))
     lines = [
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
             **(

@@ -107,7 +107,7 @@ def _growth_layers(
 
 def _edge_lines(
     outlines: Sequence[Outline], fundamental_frequency: float, reference_load: float
-) -> dict[str, Sequence[Any]]:
+) -> dict[str, list[Any]]:
     """Return the outline of every piece of the unstable set: up its left edge, down its right."""
     lines = Lines()
     for one in outlines:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..figures import Figure, Panel, Region, Series
+from ..figures import Figure, Grid, Panel, Region, Series
 from .structure import ROLES, Chart
 
 __all__ = ["chart_figure"]
@@ -20,6 +20,15 @@ def _axis(label: str) -> tuple[str, str]:
     symbol = label.split()[-1]
     units = {"p̄": "EI/L²", "ω̄": "√(EI/ρAL⁴)", "Ω̄": "√(EI/ρAL⁴)"}
     return symbol, units.get(symbol, "-")
+
+
+def _grid(data: Mapping[str, Any]) -> Grid:
+    """Return the growth map's rates with their pixel centres."""
+    rates = np.asarray(data["rate"][0], float)
+    rows, columns = rates.shape
+    x = data["x"][0] + (np.arange(columns) + 0.5) / columns * data["dw"][0]
+    y = data["y"][0] + (np.arange(rows) + 0.5) / rows * data["dh"][0]
+    return Grid("growth rate σ̄", "√(EI/ρAL⁴)", x, y, rates)
 
 
 def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
@@ -37,6 +46,7 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         Exactly the arrays of the chart's lines and regions.
     """
     series, regions, labels, unstable = [], [], [], []
+    grid = None
     for layer in chart.layers:
         data = layer.columns
         if layer.kind == "lines":
@@ -55,6 +65,8 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         elif layer.kind == "regions":
             for x, y, name in zip(*data.values(), strict=True):
                 regions.append(Region(name, name, "solid", x, y))
+        elif layer.kind == "map" and "rate" in data:
+            grid = _grid(data)
         elif layer.kind == "labels":
             labels += list(zip(data["x"], data["y"], data["name"], strict=True))
     (x_label, x_unit), (y_label, y_unit) = _axis(chart.x_label), _axis(chart.y_label)
@@ -71,7 +83,9 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         regions=tuple(regions),
         labels=tuple(labels),
         unstable=tuple(unstable),
+        grid=grid,
     )
-    return Figure(
-        number=0, title=chart.title, caption="", parameters=dict(parameters), panels=(panel,)
-    )
+    title = chart.title
+    if grid is not None:
+        title += f". Pixels: growth rate σ̄ up to {grid.values.max():.3g}"
+    return Figure(number=0, title=title, caption="", parameters=dict(parameters), panels=(panel,))

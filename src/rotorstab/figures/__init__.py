@@ -7,13 +7,14 @@ from .conclusions import CONCLUSIONS
 from .load_frequency import figure_8
 from .own import own_regions
 from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
-from .structure import Figure, Panel, Region, Series, Statement
+from .structure import Figure, Grid, Panel, Region, Series, Statement
 from .table import Row, Table, table_1
 
 __all__ = [
     "CONCLUSIONS",
     "FIGURES",
     "Figure",
+    "Grid",
     "Panel",
     "Region",
     "Row",

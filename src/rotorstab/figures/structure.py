@@ -13,6 +13,7 @@ from ..rotor import ShaftDisk
 
 __all__ = [
     "Figure",
+    "Grid",
     "Mark",
     "Panel",
     "Region",
@@ -94,6 +95,33 @@ class Region:
         object.__setattr__(self, "y", _frozen(self.y))
 
 
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Values on the pixels of a panel; a pixel is drawn where its value is above 0.
+
+    Parameters
+    ----------
+    name, unit : str
+        What the values are.
+    x : (C,) float
+        Pixel centres.
+    y : (R,) float
+        Pixel centres.
+    values : (R, C) float
+    """
+
+    name: str
+    unit: str
+    x: Array
+    y: Array
+    values: Array
+
+    def __post_init__(self) -> None:
+        """Make the arrays read-only."""
+        for field in ("x", "y", "values"):
+            object.__setattr__(self, field, _frozen(getattr(self, field)))
+
+
 @dataclass(frozen=True)
 class Mark:
     """A text at a point: the name of a tongue; vertical texts run upwards."""
@@ -126,6 +154,8 @@ class Panel:
         Where Floquet finds the rotor unstable; `regions` are Bolotin's.
     marks : tuple of Mark
         Names of tongues.
+    grid : Grid, optional
+        A map below everything else.
     """
 
     letter: str
@@ -141,6 +171,7 @@ class Panel:
     labels: tuple[tuple[float, float, str], ...] = ()
     unstable: tuple[Region, ...] = ()
     marks: tuple[Mark, ...] = ()
+    grid: Grid | None = None
 
     def group(self, name: str) -> tuple[Series, ...]:
         """Return the series of one group."""
