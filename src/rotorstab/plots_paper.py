@@ -146,7 +146,7 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
         )
         for region in panel.regions
     ]
-    if panel.grid is not None:
+    if panel.grid is not None and not panel.unstable:  # edges say more than pixels
         grid = panel.grid
         values = np.where(grid.values > 0, grid.values, np.nan)
         picture = hv.Image((grid.x, grid.y, values), ["x", "y"], grid.name)

@@ -86,6 +86,6 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
         grid=grid,
     )
     title = chart.title
-    if grid is not None:
+    if grid is not None and not unstable:
         title += f". Pixels: growth rate σ̄ up to {grid.values.max():.3g}"
     return Figure(number=0, title=title, caption="", parameters=dict(parameters), panels=(panel,))
