@@ -140,3 +140,24 @@ def test_harmonics_of_nothing():
 def test_bad_arguments_are_named(arguments, message):
     with pytest.raises(ValueError, match=message):
         rs.lumped(**{"rotor": BASE, "spin_speed": 1.0, **arguments})
+
+
+def test_a_system_may_be_made_from_lists_and_from_views():
+    entries = {
+        "mass": [[1, 0], [0, 2]],
+        "gyroscopic": [[0, 0], [0, 1]],
+        "external_damping": [[0, 0], [0, 0]],
+        "internal_damping": [[0, 0], [0, 0]],
+        "elastic": [[2, 0], [0, 3]],
+        "geometric": [[-1, 0], [0, -1]],
+        "spin_speed": 0.5,
+    }
+    system = rs.System(**entries)
+    assert system.mass.dtype == np.float64
+    assert rs.whirl_frequencies(system, 0.0).shape == (4,)
+    base = np.eye(2)
+    view = base[:]
+    view.flags.writeable = False
+    viewed = rs.System(**{**entries, "mass": view})
+    base[0, 0] = 7.0
+    assert viewed.mass[0, 0] == 1.0
