@@ -317,10 +317,9 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
 
 def _kinds(figure: Figure) -> list[tuple[str, float]]:
     """Return the legend's entries of filled areas with their opacity, where there are two."""
-    if not figure.has_floquet:
+    if not figure.has_floquet or not any(panel.regions for panel in figure.panels):
         return []
-    bolotin = any(panel.regions for panel in figure.panels)
-    return [(_BOLOTIN, 0.14)] * bolotin + [(_FLOQUET, 0.5)]
+    return [(_BOLOTIN, 0.14), (_FLOQUET, 0.5)]
 
 
 def _arrange(drawn: Any, figure: Figure, heading: str) -> None:

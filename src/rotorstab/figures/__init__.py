@@ -4,17 +4,21 @@ from collections.abc import Callable
 
 from .coefficients import figure_2, figure_3
 from .conclusions import CONCLUSIONS
+from .floquet_conclusions import FLOQUET_CONCLUSIONS
 from .load_frequency import figure_8
 from .own import own_regions
 from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
-from .structure import Figure, Grid, Panel, Region, Series, Statement
+from .structure import Figure, Grid, Mark, Panel, Region, Series, Statement
 from .table import Row, Table, table_1
 
 __all__ = [
     "CONCLUSIONS",
     "FIGURES",
+    "FLOQUET_CONCLUSIONS",
+    "FLOQUET_FIGURES",
     "Figure",
     "Grid",
+    "Mark",
     "Panel",
     "Region",
     "Row",
@@ -44,3 +48,6 @@ FIGURES: dict[int, Callable[..., Figure]] = {
     9: figure_9,
 }
 """The function of each figure by its number."""
+
+FLOQUET_FIGURES = (4, 5, 6, 7, 8, 9)
+"""Those whose function takes `floquet=True`."""

@@ -5,9 +5,14 @@ Every number is computed from the systems drawn and from the arrays of the panel
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
-from ..system import fundamental_frequency
+import numpy as np
+
+from ..critical import critical_load
+from ..rotor import ShaftDisk
+from ..system import fundamental_frequency, lumped
 from .region_panels import Variant
 from .structure import Panel, Statement
 from .truth import (
@@ -29,6 +34,7 @@ __all__ = [
     "read_floquet_5",
     "read_floquet_6",
     "read_floquet_7",
+    "read_floquet_8",
     "read_floquet_9",
 ]
 
@@ -214,9 +220,88 @@ def read_floquet_7(panels: Panels, drawn: Variants) -> Reading:
     return tuple(statements)
 
 
+def _onset(panel: Panel, group: str) -> float:
+    """Return the steady load that makes the rotor unstable by itself, inf if none does."""
+    return min((float(one.x[0]) for one in panel.unstable if one.group == group), default=np.inf)
+
+
+def _table(variant: Variant) -> str:
+    """Write the pairs that make a tongue with their places and growth."""
+    scale = _scale(variant)
+    return ", ".join(
+        f"{name} {row.centre / scale:.3f} ({row.growth_per_load * variant.reference_load:.3f})"
+        for name, row in tongues(variant).items()
+    )
+
+
+def read_floquet_8(
+    panels: Panels, rotor: ShaftDisk, spin_speeds: Sequence[float]
+) -> tuple[Statement, ...]:
+    """Return what survives of Fig. 8."""
+    reference = float(critical_load(rotor.shear))
+    kinds = ("axial force", "follower force")
+
+    def variant(spin: float, tangency: float, factor: float) -> Variant:
+        system = lumped(rotor, spin, tangency)
+        return Variant(kinds[tangency > 0], "solid", system, factor, reference)
+
+    pairs = list(zip(panels, spin_speeds, strict=False))
+    axial = [[variant(spin, 0.0, factor) for factor in (0.0, 0.5)] for spin in spin_speeds]
+    follower = [variant(spin, 1.0, 0.5) for spin in spin_speeds]
+    roots = [[place(one) / _scale(one) for one in row] for row in axial]
+    spinning = [one for one in follower if float(one.system.spin_speed) != 0]
+    onsets = [[_onset(panel, kind) for kind in kinds] for panel in panels]
+    return (
+        Statement(
+            "The whirl speeds fall with the axial load; this is the reason why the first unstable "
+            "regions shift left.",
+            f"The tongue {PRINCIPAL} hangs from the sum of both: θ/ω_n from p̄ = 0 to 0.5 p̄_cr "
+            f"{_by_panel(panels, roots)}. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
+            + "; ".join(
+                f"{panel.title}: {_table(row[1])}"
+                for panel, row in zip(panels, axial, strict=False)
+            )
+            + ".",
+            uphold(*(row[1] < row[0] for row in roots)),
+            "Sums of opposite whirls only: an axial pulsation makes no two of one direction grow.",
+        ),
+        Statement(
+            "The characteristics of the first unstable regions under the follower load can be "
+            "expected from 1F and 1B.",
+            f"Spinning, 1F and 1B grow together at {listed([growth(one) for one in spinning])} "
+            "times β_d. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
+            + "; ".join(
+                f"{panel.title}: {_table(one)}"
+                for panel, one in zip(panels, follower, strict=False)
+            )
+            + ".",
+            uphold(*(growth(one) > 0 for one in spinning)),
+            "What lies in the first regions is 1B with 2B, a difference of two speeds.",
+        ),
+        Statement(
+            "The loads are measured by the static buckling load of the non-rotating shaft.",
+            "The steady load alone makes the rotor unstable, axial and follower, from "
+            + "; ".join(
+                f"{panel.title}: p̄ = {a:.4f}, {b:.4f}"
+                for (panel, _), (a, b) in zip(pairs, onsets, strict=True)
+            )
+            + f"; p̄_cr = {reference:.4f}.",
+            uphold(*(abs(row[0] / reference - 1) < 0.02 for row in onsets)),
+            "Spinning, the gyroscopic moment holds the buckled shaft until 1B, then a forward "
+            "whirl, meets 1F; any external damping takes this away. Under the follower force the "
+            "spin brings flutter nearer.",
+        ),
+    )
+
+
+def _lowest(variant: Variant) -> str:
+    """Return the tongue that hangs from the lowest θ."""
+    return min(tongues(variant).values(), key=lambda row: row.centre).name
+
+
 def read_floquet_9(panels: Panels, drawn: Variants) -> Reading:
     """Return what survives of Fig. 9."""
-    lowest = [[min(place(one, name) for name in tongues(one)) for one in pair] for pair in drawn]
+    lowest = [[place(one, _lowest(one)) for one in pair] for pair in drawn]
     lower = [axial < follower for axial, follower in lowest]
     rates = [[strongest(one) for one in pair] for pair in drawn]
     stronger = [axial[1] > follower[1] for axial, follower in rates]
@@ -238,7 +323,7 @@ def read_floquet_9(panels: Panels, drawn: Variants) -> Reading:
             + ".",
             uphold(*lower),
             "They are not the same tongue: under the follower force the lowest is "
-            + ", ".join(min(tongues(one), key=lambda n, v=one: place(v, n)) for _, one in drawn)
+            + ", ".join(_lowest(one) for _, one in drawn)
             + f" ({', '.join(panel.title for panel in panels)}).",
         ),
         Statement(

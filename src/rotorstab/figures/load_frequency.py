@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ..critical import critical_load, flutter_load
+from ..resonance import resonances
 from ..rotor import BASE_CASE, ShaftDisk
 from ..system import System, lumped
 from ..whirl import load_frequency_curves, whirl_frequencies
+from .floquet_readings import read_floquet_8
 from .readings import read_figure_8
-from .structure import Array, Figure, Panel, Series, Style, parameters
+from .structure import Array, Figure, Mark, Panel, Region, Series, Style, parameters
 
 __all__ = ["figure_8"]
 
@@ -21,6 +24,12 @@ _KINDS: tuple[tuple[str, float, Style], ...] = (
     ("follower force", 1.0, "dashed"),
 )
 _COMPLEX = "complex pair"
+_STRIP = 0.065  # of the axis: height of the strip of what is unstable without pulsation
+_ROOM = (0.15, 0.98)  # of p̄_cr: where pairs are marked
+_FLOQUET = (
+    " Each upright line joins two whirls that a pulsation makes grow; its length is the θ of that "
+    "tongue at that load. Strips: unstable without any pulsation."
+)
 
 
 def _complex_count(system: System, loads: Array) -> Array:
@@ -68,11 +77,61 @@ def _curves(group: str, style: Style, system: System, loads: Array) -> list[Seri
     return series
 
 
+def _pairs(
+    systems: Sequence[tuple[str, Style, System]], buckling: float
+) -> tuple[list[Series], list[Mark]]:
+    """Return upright lines between the two whirls of every tongue, each at a load of its own."""
+    wanted = [
+        [row.name for row in resonances(system, buckling / 2, buckling).tongues]
+        for _, _, system in systems
+    ]
+    places = np.linspace(*_ROOM, len(systems) * max(map(len, wanted))) * buckling
+    series, marks = [], []
+    for index, ((group, style, system), names) in enumerate(zip(systems, wanted, strict=True)):
+        for load, name in zip(places[index :: len(systems)].tolist(), names, strict=False):
+            table = resonances(system, load, buckling)
+            row = next((one for one in table.tongues if one.name == name), None)
+            if row is None:
+                continue
+            ends = sorted(
+                float(np.real(w))
+                for w, mode in zip(table.frequencies, table.modes, strict=True)
+                if mode in (row.first, row.second)
+            )
+            line = np.array([load, load]), np.array(ends)
+            series.append(Series(f"{group}, pair {name}", group, style, *line))
+            marks.append(Mark(load, ends[0], name, vertical=True))
+    return series, marks
+
+
+def _strips(
+    systems: Sequence[tuple[str, Style, System]], loads: Array, bottom: float, height: float
+) -> tuple[list[Region], list[Mark]]:
+    """Return the loads at which a rotor is unstable by itself, a strip for each kind of load."""
+    regions, marks = [], []
+    for index, (group, style, system) in enumerate(systems):
+        fine = _refined(system, loads)
+        grows = _complex_count(system, fine) > 0
+        change = np.diff(np.concatenate([[False], grows, [False]]).astype(np.int8))
+        low, high = bottom + index * height, bottom + (index + 0.9) * height
+        runs = list(zip(np.flatnonzero(change == 1), np.flatnonzero(change == -1) - 1, strict=True))
+        for count, (first, last) in enumerate(runs, 1):
+            left, right = fine[first], fine[last]
+            name = f"{group}, unstable without pulsation {count}"
+            corners = np.array([left, left, right, right]), np.array([low, high, high, low])
+            regions.append(Region(name, group, style, *corners))
+        if runs:
+            start = min(float(fine[runs[0][0]]), 0.7 * float(loads[-1]))
+            marks.append(Mark(start, low, f"unstable: {group} alone"))
+    return regions, marks
+
+
 def figure_8(
     rotor: ShaftDisk = BASE_CASE,
     spin_speeds: Sequence[float] = (0.0, 2.0),
     largest_load: float = 7.0,
     points: int = 281,
+    floquet: bool = False,
 ) -> Figure:
     """Return Fig. 8: load–frequency curves, axial and follower load.
 
@@ -85,6 +144,9 @@ def figure_8(
         p̄ runs from 0 to this [EI/L²].
     points : int
         Even loads; more are added where two frequencies meet.
+    floquet : bool
+        Whether to mark the pairs of whirls that a pulsation makes grow, and the loads that
+        make the rotor unstable by themselves.
 
     Returns
     -------
@@ -97,14 +159,25 @@ def figure_8(
     limits: dict[str, float] = {"critical_load": float(critical_load(rotor.shear))}
     for letter, spin in zip("abcdef", spin_speeds, strict=False):
         series: list[Series] = []
-        for group, tangency, style in _KINDS:
-            system = lumped(rotor, spin, tangency)
+        systems = [(group, style, lumped(rotor, spin, mu)) for group, mu, style in _KINDS]
+        for group, style, system in systems:
             series += _curves(group, style, system, loads)
-            if tangency:
+            if system.tangency:
                 flutter = flutter_load(system)
                 if np.isfinite(flutter):
                     limits[f"flutter_load_spin_{spin:g}"] = flutter
         top = float(np.ceil(1.05 * max(np.nanmax(np.abs(one.y)) for one in series)))
+        regions: list[Region] = []
+        marks: list[Mark] = []
+        pairs: list[Series] = []
+        bottom = -top
+        if floquet:
+            lowest = min(float(np.nanmin(one.y)) for one in series)
+            span = 1.25 * (top - lowest)
+            bottom = top - span
+            pairs, marks = _pairs(systems, limits["critical_load"])
+            regions, names = _strips(systems, loads, bottom, _STRIP * span)
+            marks = marks + names
         panels.append(
             Panel(
                 letter=letter,
@@ -113,21 +186,30 @@ def figure_8(
                 y_label="ω̄",
                 x_unit="EI/L²",
                 y_unit="√(EI/ρAL⁴)",
-                series=tuple(series),
+                series=(*series, *pairs),
                 labels=tuple(
                     (0.0, float(one.y[0]), one.name.rsplit(", ", 1)[1])
                     for one in series
                     if one.group == "axial force"
                 ),
                 x_range=(0.0, largest_load),
-                y_range=(-top, top),
+                y_range=(bottom, top),
+                unstable=tuple(regions),
+                marks=tuple(marks),
             )
         )
-    return Figure(
+    figure = Figure(
         number=8,
         title="Load–frequency curves",
         caption="Solid: axial force. Dashed: follower force. Dotted: real part of a complex pair.",
         parameters=parameters(rotor, spin_speeds=list(spin_speeds), **limits),
         panels=tuple(panels),
         reading=read_figure_8(tuple(panels), rotor),
+    )
+    if not floquet:
+        return figure
+    return replace(
+        figure,
+        caption=figure.caption + _FLOQUET,
+        reading=(*figure.reading, *read_floquet_8(figure.panels, rotor, spin_speeds)),
     )

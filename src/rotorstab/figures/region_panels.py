@@ -144,11 +144,12 @@ def region_panel(
     frequency: float,
     largest_factor: float,
     floquet: bool = False,
+    highest: float | None = None,
 ) -> Panel:
     """Return a panel with every variant's regions and boundaries.
 
     Labels name the first variant's boundaries at their upper ends. With Floquet it also has
-    every variant's unstable set.
+    every variant's unstable set. The θ/ω_n axis ends at `highest`, or right of all boundaries.
     """
     series: list[Series] = []
     regions: list[Region] = []
@@ -156,7 +157,8 @@ def region_panel(
         lines, shades = _draw(variant, frequency, largest_factor)
         series += lines
         regions += shades
-    highest = float(max(1, math.ceil(1.02 * _rightmost(series))))
+    if highest is None:
+        highest = float(max(1, math.ceil(1.02 * _rightmost(series))))
     unstable = [
         region
         for variant in variants
