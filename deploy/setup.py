@@ -9,12 +9,16 @@ Environment
 -----------
 ROTORSTAB_MAX_SESSIONS
     Documents, and likewise sockets, served at a time; more are answered 503. Default 60.
+ROTORSTAB_LESSONS
+    Folder of a teacher's lessons. They are read at start, so that a fault in one is logged then.
 """
 
 import functools
 import html
+import importlib
 import logging
 import os
+import sys
 import urllib.parse
 
 import panel.io.location as panel_location
@@ -348,3 +352,10 @@ def location_params(protocol, host, uri):
 
 
 panel_location._get_location_params = location_params
+
+
+# Lessons: a broken file is reported now, not when the first student comes.
+
+if os.environ.get("ROTORSTAB_LESSONS"):
+    sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    importlib.import_module("app.lessons").library()

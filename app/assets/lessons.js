@@ -218,7 +218,7 @@ window.rotorstab.lessons = (() => {
       place(focusTo).focus({ preventScroll: true });
       // past the header where it does not stay in view
       const phone = getComputedStyle(document.querySelector(".top")).position === "static";
-      scrollTo({ top: phone ? panel().offsetTop : 0 });
+      scrollTo({ top: phone ? document.querySelector("main").offsetTop : 0 });
       focusTo = "";
     }
   }

@@ -13,9 +13,10 @@ from .format import LONGEST_FILE, Lesson, parse
 from .grading import unanswerable
 from .tables import LessonError
 
-__all__ = ["VARIABLE", "Library", "Problem", "library", "read_file", "read_folder"]
+__all__ = ["VARIABLE", "Library", "Problem", "collect", "library", "read_file", "read_folder"]
 
 VARIABLE = "ROTORSTAB_LESSONS"
+_TOLD = "ROTORSTAB_LESSONS_TOLD"
 _LOG = logging.getLogger("rotorstab.lessons")
 _NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,60}")
 _MOST_FILES = 200
@@ -88,14 +89,16 @@ def collect(folder: str | None) -> Library:
         foreign, more = read_folder(Path(folder))
         problems += more
         found |= {one.key: one for one in foreign}
-    for problem in problems:
-        _LOG.error("lesson left out: %s", problem)
-    if folder:
-        _LOG.info("%d lessons from %s", len(foreign), folder)
     return Library(found, tuple(problems), frozenset(one.key for one in foreign))
 
 
 @cache
 def library() -> Library:
     """Return the process's lessons, read once; what is left out is logged."""
-    return collect(os.environ.get(VARIABLE))
+    found = collect(os.environ.get(VARIABLE))
+    # Bokeh imports the app under a name of its own, so that deploy/setup.py has read them before
+    if os.environ.get(_TOLD) != str(os.getpid()):
+        os.environ[_TOLD] = str(os.getpid())
+        for problem in found.problems:
+            _LOG.error("lesson left out: %s", problem)
+    return found
