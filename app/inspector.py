@@ -211,8 +211,8 @@ def _describe(
     else:
         facts += [["Growth rate σ̄", "0"], ["Doubles in", "never"]]
         sentence += ": the motion neither grows nor dies)"
-    sentence += f"; {outside or 'no'} multiplier{'s lie' if outside != 1 else ' lies'} outside "
-    sentence += "the unit circle. "
+    lies = "multipliers lie" if outside > 1 else "multiplier lies"
+    sentence += f"; {outside or 'no'} {lies} outside the unit circle. "
     if bolotin == unstable:
         sentence += f"Bolotin agrees: the point is {region}."
     elif bolotin:
@@ -227,7 +227,13 @@ def _describe(
         facts.append(["Nearest pair", f"{pair.name} at θ/ωₙ = {centre:.3f}"])
         facts.append(["θ above it by", f"{off:+.3f}".replace("-", "−")])
         word = "makes a tongue" if pair.unstable else "makes no tongue under this load"
-        sentence += f" Nearest is the {pair.combination}, θ/ωₙ = {centre:.3f}, which {word}."
+        sentence += f" Nearest is the {pair.combination}, θ/ωₙ = {centre:.3f}, which {word}"
+        excitation = state.marker_frequency * frequency
+        tongues = result.floquet.table.tongues
+        if not pair.unstable and tongues:
+            tongue = min(tongues, key=lambda row: abs(row.centre - excitation))
+            sentence += f"; the nearest tongue is {tongue.name} at {tongue.centre / frequency:.3f}"
+        sentence += "."
     return facts, sentence
 
 
