@@ -39,7 +39,7 @@ from rotorstab.charts import (
     load_frequency_chart,
     stiffness_charts,
 )
-from rotorstab.figures import FIGURES, Figure
+from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
 from rotorstab.outlines import Outline, unstable_outlines
 from rotorstab.stability import StabilityChart
 from rotorstab.stiffness import largest_exact_load
@@ -369,6 +369,7 @@ def error_table(shear: float, tangency: float) -> list[list[float]]:
 
 
 @cache
-def paper_figure(number: int) -> Figure:
-    """Return a figure of the paper, by its number."""
-    return FIGURES[number]()
+def paper_figure(number: int, floquet: bool = False) -> Figure:
+    """Return a figure of the paper by its number, with Floquet's answer where it has one."""
+    with_floquet = floquet and number in FLOQUET_FIGURES
+    return FIGURES[number](floquet=True) if with_floquet else FIGURES[number]()

@@ -122,8 +122,9 @@ class Session:
             key = (chart, *inputs.values(), *page.stamp())
             later = printer.file(key, chart_figure(drawn, inputs), kind)
         elif isinstance(number, int) and not isinstance(number, bool) and number in FIGURES:
-            name = f"rotorstab-figure-{number}.{kind}"
-            later = printer.file(number, paper_figure(number), kind)
+            floquet = message.get("floquet") is True
+            name = f"rotorstab-figure-{number}{'-floquet' if floquet else ''}.{kind}"
+            later = printer.file((number, floquet), paper_figure(number, floquet), kind)
         else:
             return Reply({"told": "no such chart"})
         return Reply({"told": f"making {name} …"}, later, lambda data: _file(name, kind, data))

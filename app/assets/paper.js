@@ -3,6 +3,7 @@ window.rotorstab.paper = (() => {
   const page = window.rotorstab;
   const place = (name) => document.querySelector(`[data-paper="${name}"]`);
   let current = 0;
+  const floquet = () => document.querySelector("#paper-floquet").checked;
 
   function row(cells, heads = 0) {
     const tr = document.createElement("tr");
@@ -18,7 +19,7 @@ window.rotorstab.paper = (() => {
   function ask(number) {
     current = number;
     for (const button of document.querySelectorAll("[data-figure]")) button.setAttribute("aria-pressed", String(Number(button.dataset.figure) === number));
-    page.send({ type: "figure", number });
+    page.send({ type: "figure", number, floquet: floquet() });
   }
 
   function show(figure) {
@@ -50,6 +51,7 @@ window.rotorstab.paper = (() => {
       });
       return button;
     }));
+    document.querySelector("#paper-floquet").disabled = !figure.has_floquet;
     place("downloads").hidden = false;
     const waiting = document.createElement("p");
     waiting.className = "sub";
@@ -57,8 +59,8 @@ window.rotorstab.paper = (() => {
     place("picture").replaceChildren(waiting);
   }
 
-  function picture({ number, svg }) {
-    if (number !== current) return;
+  function picture({ number, floquet: with_floquet, svg }) {
+    if (number !== current || (with_floquet !== floquet() && !document.querySelector("#paper-floquet").disabled)) return;
     const image = document.createElement("img");
     image.alt = place("title").textContent;
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
@@ -76,8 +78,9 @@ window.rotorstab.paper = (() => {
 
   document.addEventListener("DOMContentLoaded", () => {
     for (const button of document.querySelectorAll("[data-figure]")) button.addEventListener("click", () => ask(Number(button.dataset.figure)));
+    document.querySelector("#paper-floquet").addEventListener("change", () => ask(current));
     for (const button of place("downloads").querySelectorAll("button")) {
-      button.addEventListener("click", () => page.send({ type: "export", number: current, format: button.dataset.format }));
+      button.addEventListener("click", () => page.send({ type: "export", number: current, floquet: floquet(), format: button.dataset.format }));
     }
     for (const select of document.querySelectorAll("select.export")) {
       select.addEventListener("change", () => {

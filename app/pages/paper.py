@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rotorstab.figures import FIGURES, Figure, table_1
+from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
 from ..analysis import paper_figure
 from ..printing import printer
@@ -50,11 +50,13 @@ def _shown(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def describe(number: int) -> dict[str, Any]:
+def describe(number: int, floquet: bool) -> dict[str, Any]:
     """Return a figure's words and numbers as plain values for the browser."""
-    figure = paper_figure(number)
+    figure = paper_figure(number, floquet)
     return {
         "number": number,
+        "floquet": floquet,
+        "has_floquet": number in FLOQUET_FIGURES,
         "title": figure.title,
         "caption": figure.caption,
         "parameters": [
@@ -98,8 +100,11 @@ class Paper(Page):
         known = isinstance(number, int) and not isinstance(number, bool) and number in FIGURES
         if message.get("type") != "figure" or not known:
             return Reply()
+        floquet = message.get("floquet") is True and number in FLOQUET_FIGURES
         return Reply(
-            now={"figure": describe(number), "table_1": describe_table()},
-            later=printer.file(number, paper_figure(number), "svg"),
-            wrap=lambda svg: {"picture": {"number": number, "svg": svg.decode()}},
+            now={"figure": describe(number, floquet), "table_1": describe_table()},
+            later=printer.file((number, floquet), paper_figure(number, floquet), "svg"),
+            wrap=lambda svg: {
+                "picture": {"number": number, "floquet": floquet, "svg": svg.decode()}
+            },
         )
