@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from rotorstab import commands
 from rotorstab.__main__ import main
 from rotorstab.figures import CONCLUSIONS, FIGURES
 
@@ -61,6 +62,30 @@ def test_conclusions_are_printed(capsys):
     assert main(["conclusions"]) == 0
     out = capsys.readouterr().out
     assert all(f"({letter})" in out for letter in CONCLUSIONS)
+    verdicts = [line[4:] for line in out.splitlines() if line.startswith("  → ")]
+    assert verdicts[::2] == ["agree", "agree in part", "agree", "agree in part", "agree"]
+    survives = ["does not survive", "survives in part", "survives", "does not survive", "survives"]
+    assert verdicts[1::2] == survives
+
+
+def test_figure_with_floquet(tmp_path, capsys):
+    path = tmp_path / "f8.csv"
+    assert main(["figure", "8", "--floquet"]) == 0
+    assert "→ does not survive" in capsys.readouterr().out
+    assert main(["figure", "8", "--floquet", "--output", str(path)]) == 0
+    assert {row["kind"] for row in rows_of(path)} == {"line", "unstable"}
+    assert main(["figure", "3", "--floquet"]) == 2
+    message = "rotorstab: `--floquet` is for figures 4 to 9, got 3\n"
+    assert capsys.readouterr().err == message
+
+
+def test_all_figures_with_floquet(tmp_path, monkeypatch):
+    monkeypatch.setattr(commands, "FIGURES", {number: FIGURES[number] for number in (2, 8)})
+    directory = tmp_path / "all"
+    assert main(["figure", "--all", str(directory), "--formats", "json", "--floquet"]) == 0
+    for number in (2, 8):
+        panels = json.loads((directory / f"figure_{number}.json").read_text())["panels"]
+        assert any(panel["unstable"] for panel in panels) is (number == 8)
 
 
 def test_whirl_of_an_own_rotor(tmp_path, capsys):
@@ -155,7 +180,8 @@ def test_the_module_runs_and_survives_a_closed_pipe():
 
 def test_solving_does_not_import_a_drawing_library():
     code = (
-        "import sys; from rotorstab.__main__ import main; main(['figure', '6']); "
+        "import sys; from rotorstab import commands
+from rotorstab.__main__ import main; main(['figure', '6']); "
         "sys.exit(any(m.split('.')[0] in ('holoviews', 'matplotlib', 'bokeh') "
         "for m in sys.modules))"
     )

@@ -8,7 +8,7 @@ import pytest
 hv = pytest.importorskip("holoviews")
 pytest.importorskip("matplotlib")
 
-from rotorstab.figures import FIGURES  # noqa: E402
+from rotorstab.figures import FIGURES, FLOQUET_FIGURES  # noqa: E402
 from rotorstab.plots_paper import PRINT_FORMATS, figure_files, paper_layout  # noqa: E402
 
 
@@ -48,13 +48,16 @@ def overlaps(boxes):
     ]
 
 
-@pytest.mark.parametrize("number", FIGURES)
-def test_no_text_covers_another_or_leaves_the_page(number, monkeypatch):
+@pytest.mark.parametrize(
+    ("number", "options"),
+    [*((n, {}) for n in FIGURES), *((n, {"floquet": True}) for n in FLOQUET_FIGURES)],
+)
+def test_no_text_covers_another_or_leaves_the_page(number, options, monkeypatch):
     from matplotlib import pyplot
 
     kept = []
     monkeypatch.setattr(pyplot, "close", kept.append)
-    figure_files(FIGURES[number](), ["png"])
+    figure_files(FIGURES[number](**options), [])
     monkeypatch.undo()
     drawn = kept[-1]
     drawn.draw_without_rendering()

@@ -88,6 +88,9 @@ def _parser() -> argparse.ArgumentParser:
     figure.add_argument(
         "--formats", default="pdf,svg,png,csv,json", help="with --all, default %(default)s"
     )
+    figure.add_argument(
+        "--floquet", action="store_true", help="4 to 9: add what is unstable, and what survives"
+    )
     _add_output(figure, ".pdf .svg .png .csv .json")
     figure.set_defaults(run=run_figure)
 

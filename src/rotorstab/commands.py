@@ -18,7 +18,16 @@ import numpy as np
 
 from . import export
 from .checks import number
-from .figures import CONCLUSIONS, FIGURES, Figure, Statement, own_regions, table_1
+from .figures import (
+    CONCLUSIONS,
+    FIGURES,
+    FLOQUET_CONCLUSIONS,
+    FLOQUET_FIGURES,
+    Figure,
+    Statement,
+    own_regions,
+    table_1,
+)
 from .finite_element import finite_element
 from .rotor import ShaftDisk
 from .system import System, lumped
@@ -121,14 +130,24 @@ def _emit(
     export.write_file(path, data(suffix), arguments.force)
 
 
+def _figure(number: int, floquet: bool) -> Figure:
+    """Return a figure, with Floquet where that is asked for and there is one."""
+    return FIGURES[number](**({"floquet": True} if floquet and number in FLOQUET_FIGURES else {}))
+
+
 def run_figure(arguments: argparse.Namespace) -> None:
     """Write or read out one figure of the paper, or write all."""
     if (arguments.number is None) == (arguments.all is None):
         raise ValueError("give either a figure's number, 2 to 9, or --all DIRECTORY")
     if arguments.all is not None:
-        _write_all(Path(arguments.all), arguments.formats.split(","), arguments.force)
+        _write_all(Path(arguments.all), arguments.formats.split(","), arguments)
         return
-    figure = FIGURES[arguments.number]()
+    if arguments.floquet and arguments.number not in FLOQUET_FIGURES:
+        raise ValueError(
+            f"`--floquet` is for figures {FLOQUET_FIGURES[0]} to {FLOQUET_FIGURES[-1]}, "
+            f"got {arguments.number}"
+        )
+    figure = _figure(arguments.number, arguments.floquet)
     _emit(
         _reading(f"Figure {figure.number}. {figure.title}", figure.reading),
         lambda suffix: _figure_data(figure, [suffix])[suffix],
@@ -137,8 +156,9 @@ def run_figure(arguments: argparse.Namespace) -> None:
     )
 
 
-def _write_all(directory: Path, formats: Sequence[str], force: bool) -> None:
+def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Namespace) -> None:
     """Write every figure and the table; nothing if any file is in the way."""
+    force = arguments.force
     known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
     for one in formats:
         if one not in known:
@@ -150,8 +170,8 @@ def _write_all(directory: Path, formats: Sequence[str], force: bool) -> None:
     taken = [name for name in names if (directory / name).exists()]
     if taken and not force:
         raise ValueError(f"{directory / taken[0]} exists; --force overwrites it")
-    for n, make in FIGURES.items():
-        figure = make()
+    for n in FIGURES:
+        figure = _figure(n, arguments.floquet)
         for suffix, content in _figure_data(figure, [f".{one}" for one in formats]).items():
             export.write_file(directory / f"figure_{n}{suffix}", content, force)
     for one in table:
@@ -177,8 +197,20 @@ def run_table(arguments: argparse.Namespace) -> None:
 
 def run_conclusions(_: argparse.Namespace) -> None:
     """Print the five conclusions."""
-    statements = [conclusion() for conclusion in CONCLUSIONS.values()]
-    sys.stdout.write(_reading("The paper's conclusions on our numbers", statements))
+    for letter, conclusion in CONCLUSIONS.items():
+        statement, truth = conclusion(), FLOQUET_CONCLUSIONS[letter]()
+        lines = [
+            statement.text,
+            *_verdict("Bolotin's regions", statement),
+            *_verdict("Floquet", truth),
+        ]
+        sys.stdout.write("\n".join(lines) + "\n\n")
+
+
+def _verdict(method: str, statement: Statement) -> list[str]:
+    """Write what one method says of a conclusion."""
+    lines = [f"  {method}: {statement.ours}", f"  → {statement.verdict}"]
+    return lines + [f"  note: {statement.note}"] * bool(statement.note)
 
 
 def run_validation(arguments: argparse.Namespace) -> None:

@@ -6,8 +6,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
-from .figures import CONCLUSIONS, FIGURES, Statement
+from .figures import CONCLUSIONS, FIGURES, FLOQUET_CONCLUSIONS, FLOQUET_FIGURES, Statement
 from .published import PUBLISHED, Published
 
 __all__ = ["validation_markdown"]
@@ -21,6 +22,9 @@ Made by `python -m rotorstab validation --output docs/validation.md --force`; do
 numbers. A value is met when the difference is within "allowed": the last printed digit, or what
 is stated. Non-dimensional units: load EI/L², frequency √(EI/ρAL⁴). The base case is Φ = 0.0192,
 M̄_D = 5, Ī_D = 0.8, Ī_P = 1.6, r = 0.08.
+
+"agree" and "differ" compare the text with the paper's own method; "survives" and "does not survive"
+say what of it Floquet upholds.
 """
 
 
@@ -51,6 +55,7 @@ def _statements(statements: Iterable[Statement]) -> list[str]:
     return lines
 
 
+@cache
 def validation_markdown() -> str:
     """Return the whole document.
 
@@ -58,7 +63,7 @@ def validation_markdown() -> str:
     -------
     str
         Tables of values by kind of source, then what the text says of each figure and the
-        paper's conclusions, each with its verdict.
+        paper's conclusions, each with its verdict by the paper's method and by Floquet.
     """
     lines = [_HEAD]
     for section in dict.fromkeys(one.section for one in PUBLISHED):
@@ -71,10 +76,12 @@ def validation_markdown() -> str:
             "",
         ]
     lines += ["## What the text says of each figure", ""]
-    for make in FIGURES.values():
-        figure = make()
+    for number, make in FIGURES.items():
+        figure = make(floquet=True) if number in FLOQUET_FIGURES else make()
         heading = f"### Figure {figure.number}. {figure.title}"
         lines += [heading, "", *_statements(figure.reading), ""]
     conclusions = (conclusion() for conclusion in CONCLUSIONS.values())
-    lines += ["## The paper's conclusions", "", *_statements(conclusions)]
+    survivals = (survival() for survival in FLOQUET_CONCLUSIONS.values())
+    lines += ["## The paper's conclusions on Bolotin's regions", "", *_statements(conclusions), ""]
+    lines += ["## The paper's conclusions under Floquet", "", *_statements(survivals)]
     return "\n".join(lines) + "\n"

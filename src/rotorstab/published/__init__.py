@@ -4,10 +4,11 @@ The one list that the tests and the validation table read.
 """
 
 from .literature import classical, paper
+from .multipliers import multipliers
 from .separate import separate
 from .structure import Published
 
 __all__ = ["PUBLISHED", "Published"]
 
-PUBLISHED: tuple[Published, ...] = (*paper(), *classical(), *separate())
+PUBLISHED: tuple[Published, ...] = (*paper(), *classical(), *separate(), *multipliers())
 """Every value, in the order of the validation table."""
