@@ -124,7 +124,7 @@ class Explore(Page):
             # whole or not at all: a bad file leaves every input as it was
             state.change(read_rotor_file(text if isinstance(text, str) else ""))
         except ValueError as error:
-            return Reply({"shaft_error": str(error)})
+            return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
         return Reply({"shaft_error": "", "told": "the rotor file is open"})
 
     def beside(self, state: State) -> dict[str, Any]:
