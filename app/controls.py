@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 import panel as pn
 import param
 
-from .state import PRESETS, SYMBOLS, State
+from .state import PRESETS, SI_INPUTS, SYMBOLS, State
 
 __all__ = ["Controls", "field"]
 
@@ -41,6 +41,7 @@ GROUPS = (
             "stiffness",
         ),
     ),
+    ("Units", False, ("units", *SI_INPUTS)),
 )
 WORDS = {
     "axial": "Axial",
@@ -55,6 +56,12 @@ WORDS = {
     "finite elements": "Finite elements",
     "per time": "Per time",
     "per period": "Per period",
+    "non-dimensional": "Non-dimensional",
+    "SI": "SI",
+    "own": "Own",
+    "steel": "Steel",
+    "aluminium": "Aluminium",
+    "titanium": "Titanium",
 }
 
 
@@ -72,7 +79,9 @@ def field(name: str) -> dict[str, Any]:
     if isinstance(parameter, param.Selector):
         return found | {"options": [[word, WORDS[word]] for word in parameter.objects]}
     low, high = parameter.bounds
-    return found | {"low": low, "high": high, "step": parameter.step}
+    found |= {"low": low, "high": high, "step": parameter.step}
+    # a quantity in SI has a box without a slider: its range spans magnitudes
+    return found | {"unit": SI_INPUTS[name]} if name in SI_INPUTS else found
 
 
 class Controls(pn.custom.JSComponent):

@@ -11,7 +11,7 @@ from typing import Any
 
 import holoviews as hv
 import numpy as np
-from bokeh.models import Range1d
+from bokeh.models import HoverTool, Range1d
 
 from rotorstab import plots
 from rotorstab.charts import Chart, Layer
@@ -58,6 +58,7 @@ class LiveChart:
             for layer, subplot in zip(chart.layers, subplots, strict=True)
             if layer.kind == "map" and "color_mapper" in subplot.handles
         }
+        self._chart = chart
         self._drawn: dict[str, dict[str, Any]] = {}
         self._added: set[str] = set()
         self._ranges = {
@@ -86,10 +87,22 @@ class LiveChart:
                 self._drawn[layer.label] = columns
                 if layer.label in self._colours and layer.label == "growth":
                     self._rescale(columns["image"][0])
+        if chart.units != self._chart.units:
+            self._rename(self._chart, chart)
+        self._chart = chart
         for axis, wanted in (("x", chart.x_range), ("y", chart.y_range)):
             bokeh_range, last = self._ranges[axis]
             self._move(bokeh_range, last, wanted)
             self._ranges[axis] = (bokeh_range, wanted)
+
+    def _rename(self, old: Chart, new: Chart) -> None:
+        """Name axes and hovers in other units, and undo a zoom: it was in the old ones."""
+        names = dict(zip(plots.hover_names(old), plots.hover_names(new), strict=True))
+        for axis, label in ((self.figure.xaxis, new.x_label), (self.figure.yaxis, new.y_label)):
+            axis.axis_label = label
+        for tool in self.figure.select(type=HoverTool):
+            tool.tooltips = [(names.get(name, name), value) for name, value in tool.tooltips]
+        self.reset_view()
 
     def _add(self, layer: Layer) -> None:
         """Draw a layer that the chart did not start with, such as a marker."""

@@ -18,7 +18,7 @@ from .session import Session
 ASSETS = Path(__file__).parent / "assets"
 STYLES = ("page.css", "inspector.css", "lessons.css")
 # page.js first: the others hang themselves on what it makes
-SCRIPTS = ("page.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
+SCRIPTS = ("page.js", "units.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
     "load_frequency": ("axial", "follower", "growing", "limit", "current"),

@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rotorstab import Scales
 from rotorstab.charts import Chart, Layer
 
 from .analysis import Result, solve
 from .state import SYMBOLS, State
+from .units import chart_in_si
 
 __all__ = ["MOST_PINS", "Pin", "differences", "ghosted", "pin"]
 
@@ -36,12 +38,15 @@ class Pin:
         1 to `MOST_PINS`: its look.
     inputs : mapping
     result : Result
+    scales : Scales
+        Of its own shaft.
     """
 
     name: str
     number: int
     inputs: Mapping[str, Any]
     result: Result
+    scales: Scales
 
 
 def pin(state: State, name: Any, pins: Sequence[Pin]) -> Pin | None:
@@ -50,23 +55,30 @@ def pin(state: State, name: Any, pins: Sequence[Pin]) -> Pin | None:
     if not free:
         return None
     words = " ".join(name.split())[:_LONGEST_NAME] if isinstance(name, str) else ""
-    return Pin(words or f"Pin {'ABC'[free[0] - 1]}", free[0], state.inputs(), solve(state))
+    return Pin(
+        words or f"Pin {'ABC'[free[0] - 1]}", free[0], state.inputs(), solve(state), state.scales()
+    )
 
 
 def ghosted(charts: dict[str, Chart], pins: Sequence[Pin]) -> dict[str, Chart]:
-    """Return the charts with the pinned curves added."""
+    """Return the charts with the pinned curves added, in the charts' units."""
     if not pins:
         return charts
     return {
-        key: replace(chart, layers=(*chart.layers, _ghosts(key, pins))) if key in _CURVES else chart
+        key: replace(chart, layers=(*chart.layers, _ghosts(chart, pins)))
+        if key in _CURVES
+        else chart
         for key, chart in charts.items()
     }
 
 
-def _ghosts(key: str, pins: Sequence[Pin]) -> Layer:
+def _ghosts(now: Chart, pins: Sequence[Pin]) -> Layer:
     columns: dict[str, list[Any]] = {"xs": [], "ys": [], "name": [], "role": []}
     for one in pins:
-        curves = one.result.charts[key].layer(_CURVES[key]).columns
+        chart = one.result.charts[now.key]
+        if now.units == "SI":
+            chart = chart_in_si(chart, one.scales, one.result.numbers)
+        curves = chart.layer(_CURVES[now.key]).columns
         columns["xs"] += curves["xs"]
         columns["ys"] += curves["ys"]
         columns["name"] += [f"{one.name}: {name}" for name in curves["name"]]

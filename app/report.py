@@ -7,6 +7,7 @@ from html import escape
 from typing import Any
 
 from .state import SYMBOLS, State
+from .units import key_numbers, named_inputs
 
 __all__ = ["report_html"]
 
@@ -35,6 +36,11 @@ def _table(rows: Sequence[tuple[str, str]]) -> str:
     return f"<table>{cells}</table>"
 
 
+def _label(name: str) -> str:
+    plain, _, unit = name.partition(" ")
+    return f"{State.param[plain].label} {SYMBOLS.get(plain, '')} {unit}".strip()
+
+
 def _shown(value: Any) -> str:
     if value is None:
         return "none"
@@ -59,18 +65,35 @@ def report_html(
         The view's address query.
     """
     settings = [
-        (f"{State.param[name].label} {SYMBOLS.get(name, '')}".strip(), _shown(value))
-        for name, value in state.inputs().items()
+        (_label(name), _shown(value))
+        for name, value in named_inputs(state.inputs()).items()
         if not name.startswith(_LEFT_OUT)
     ]
-    keys = [(words_, _shown(numbers[name])) for name, words_ in _NUMBERS.items()]
-    for name, (real, imaginary) in numbers["whirl"].items():
+    si = state.units == "SI"
+    shown = key_numbers(state, numbers) if si else numbers
+    suffix = (" [N]", " [Hz]") if si else ("", "")
+    keys = [
+        (words_.replace("\u0304", "") + suffix[name == "fundamental"], _shown(shown[name]))
+        if si
+        else (words_, _shown(shown[name]))
+        for name, words_ in _NUMBERS.items()
+    ]
+    for name, (real, imaginary) in shown["whirl"].items():
         grows = f" {imaginary:+.6g}j" if abs(imaginary) > 1e-9 else ""
-        keys.append((f"whirl frequency {name}", f"{real:.6g}{grows}"))
+        if si and grows:
+            word = "decays" if imaginary > 0 else "grows"
+            grows = f", {word} by {abs(imaginary):.6g} 1/s"
+        keys.append((f"whirl frequency {name}{suffix[1]}", f"{real:.6g}{grows}"))
     drawn = [
         f"<h2>{escape(title)}</h2>{svg[svg.index('<svg') :]}" for title, svg in pictures.items()
     ]
     half = "".join(f"<div>{one}</div>" for one in drawn[1:])
+    units = (
+        f"In SI for a shaft of {state.shaft_length:g} m, {state.shaft_diameter:g} mm; parameters "
+        "without a unit are non-dimensional"
+        if si
+        else "Non-dimensional"
+    )
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head><meta charset="utf-8"><title>rotorstab report</title><style>{_STYLE}</style></head>
@@ -83,7 +106,7 @@ def report_html(
 <div><h2>Parameters</h2>{_table(settings)}</div>
 <div><h2>Key numbers</h2>{_table(keys)}</div>
 </div>
-<footer>Non-dimensional: length L, bending stiffness EI and line mass ρA are 1. Floquet decides
+<footer>{units}: length L, bending stiffness EI and line mass ρA are 1. Floquet decides
 what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
 ?{escape(query)}</footer>
 </body></html>

@@ -24,6 +24,7 @@ from .report import report_html
 from .share import describe_problems, from_arguments, to_query
 from .snippet import python_snippet
 from .state import State
+from .units import displayed, named_inputs
 from .verdict import verdict
 
 __all__ = ["Session"]
@@ -120,7 +121,7 @@ class Session:
             if drawn is None:  # the inspector's, after its marker is gone
                 return Reply({"told": "no such chart"})
             key = (chart, *inputs.values(), *page.stamp())
-            later = printer.file(key, chart_figure(drawn, inputs), kind)
+            later = printer.file(key, chart_figure(drawn, named_inputs(inputs)), kind)
         elif isinstance(number, int) and not isinstance(number, bool) and number in FIGURES:
             floquet = message.get("floquet") is True
             name = f"rotorstab-figure-{number}{'-floquet' if floquet else ''}.{kind}"
@@ -133,12 +134,15 @@ class Session:
         """Start making the one-page report of the Explore view."""
         try:
             result = solve(self.state)
+            charts = displayed(result.charts, self.state, result.numbers)
         except ValueError as error:
             return Reply({"told": str(error)})
         inputs = self.state.inputs()
         pictures = {
-            chart.title: printer.file((key, *inputs.values()), chart_figure(chart, inputs), "svg")
-            for key, chart in result.charts.items()
+            chart.title: printer.file(
+                (key, *inputs.values()), chart_figure(chart, named_inputs(inputs)), "svg"
+            )
+            for key, chart in charts.items()
         }
         words = verdict(result.floquet)
         # the state of now, not of when the pictures are ready

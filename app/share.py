@@ -45,6 +45,17 @@ _KEYS = {
     "initial": "ic",
     "seed": "seed",
     "periods": "n",
+    "units": "u",
+    "shaft_length": "len",
+    "shaft_diameter": "dia",
+    "material": "mat",
+    "youngs_modulus": "e",
+    "shear_modulus": "g",
+    "density": "rho",
+    "shear_coefficient": "kappa",
+    "si_disk_mass": "simd",
+    "si_diametral_inertia": "siid",
+    "si_polar_inertia": "siip",
 }
 _NAMES = {key: name for name, key in _KEYS.items()}
 _LONGEST = 40  # characters of one value; the longest honest one has 18

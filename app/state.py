@@ -12,9 +12,10 @@ from typing import Any
 
 import param
 
-from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, ShaftDisk
+from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
+from rotorstab.materials import MATERIALS
 
-__all__ = ["PRESETS", "SYMBOLS", "State"]
+__all__ = ["PRESETS", "SI_INPUTS", "SYMBOLS", "State"]
 
 _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 _THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
@@ -34,7 +35,31 @@ SYMBOLS = {
     "highest_frequency": "θ/ωₙ max",
     "marker_frequency": "θ/ωₙ",
     "marker_factor": "β_d",
+    "shaft_length": "L",
+    "shaft_diameter": "d",
+    "youngs_modulus": "E",
+    "shear_modulus": "G",
+    "density": "ρ",
+    "shear_coefficient": "κ",
+    "si_disk_mass": "M_D",
+    "si_diametral_inertia": "I_D",
+    "si_polar_inertia": "I_P",
 }
+SI_INPUTS = {
+    "shaft_length": "m",
+    "shaft_diameter": "mm",
+    "material": "",
+    "youngs_modulus": "GPa",
+    "shear_modulus": "GPa",
+    "density": "kg/m³",
+    "shear_coefficient": "",
+    "si_disk_mass": "kg",
+    "si_diametral_inertia": "kg m²",
+    "si_polar_inertia": "kg m²",
+}
+"""The inputs of the shaft and disk in SI, and the unit of each; without effect on Φ, M̄_D, Ī_D
+and Ī_P until `use_shaft`."""
+_MATERIAL_INPUTS = ("youngs_modulus", "shear_modulus", "density", "shear_coefficient")
 
 
 class State(param.Parameterized):
@@ -219,6 +244,82 @@ class State(param.Parameterized):
         doc="Length of the response, in periods of the load.",
     )
 
+    units = param.Selector(
+        default="non-dimensional",
+        objects=["non-dimensional", "SI"],
+        label="Units of the charts",
+        doc="The paper’s numbers, or rpm, Hz and N for the shaft below.",
+    )
+    shaft_length = param.Number(
+        default=TABLE_1_SI["length"],
+        bounds=(0.01, 20.0),
+        step=0.001,
+        label="Length",
+        doc="Length of the shaft, from its clamp to the disk.",
+    )
+    shaft_diameter = param.Number(
+        default=1000 * TABLE_1_SI["diameter"],
+        bounds=(0.5, 1000.0),
+        step=0.1,
+        label="Diameter",
+        doc="Diameter of the solid round shaft.",
+    )
+    material = param.Selector(
+        default="own",
+        objects=["own", *MATERIALS],
+        label="Material",
+        doc="Handbook values for E, G and ρ with Cowper’s κ, or the own values below.",
+    )
+    youngs_modulus = param.Number(
+        default=TABLE_1_SI["youngs_modulus"] / 1e9,
+        bounds=(0.01, 2000.0),
+        step=0.1,
+        label="Young’s modulus",
+        doc="Elastic modulus E of an own material.",
+    )
+    shear_modulus = param.Number(
+        default=TABLE_1_SI["shear_modulus"] / 1e9,
+        bounds=(0.004, 1000.0),
+        step=0.1,
+        label="Shear modulus",
+        doc="Shear modulus G of an own material.",
+    )
+    density = param.Number(
+        default=TABLE_1_SI["density"],
+        bounds=(100.0, 30000.0),
+        step=1.0,
+        label="Density",
+        doc="Density ρ of an own material.",
+    )
+    shear_coefficient = param.Number(
+        default=TABLE_1_SI["shear_coefficient"],
+        bounds=(0.1, 1.0),
+        step=0.001,
+        label="Shear coefficient",
+        doc="Timoshenko’s κ: 0.89 for a solid circle of steel (Cowper).",
+    )
+    si_disk_mass = param.Number(
+        default=TABLE_1_SI["disk_mass"],
+        bounds=(1e-6, 1e6),
+        step=0.001,
+        label="Disk mass in SI",
+        doc="Mass of the disk at the tip.",
+    )
+    si_diametral_inertia = param.Number(
+        default=TABLE_1_SI["diametral_inertia"],
+        bounds=(0.0, 1e6),
+        step=0.0001,
+        label="Diametral inertia in SI",
+        doc="The disk’s moment of inertia about a diameter.",
+    )
+    si_polar_inertia = param.Number(
+        default=TABLE_1_SI["polar_inertia"],
+        bounds=(0.0, 1e6),
+        step=0.0001,
+        label="Polar inertia in SI",
+        doc="The disk’s moment of inertia about the shaft.",
+    )
+
     def inputs(self) -> dict[str, Any]:
         """Return every input by name."""
         return {name: getattr(self, name) for name in _NAMES}
@@ -241,6 +342,53 @@ class State(param.Parameterized):
             # r of the base case in proportion to √Φ, as for a solid shaft of one material
             slenderness=BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear),
         )
+
+    def si_rotor(self) -> tuple[ShaftDisk, Scales]:
+        """Return the rotor of the SI data, and the scales of its shaft.
+
+        Raises
+        ------
+        ValueError
+            If the shaft is too thick for its length to be one.
+        """
+        known = MATERIALS.get(self.material)
+        return ShaftDisk.from_si(
+            length=self.shaft_length,
+            diameter=self.shaft_diameter / 1e3,
+            youngs_modulus=known.youngs_modulus if known else self.youngs_modulus * 1e9,
+            shear_modulus=known.shear_modulus if known else self.shear_modulus * 1e9,
+            density=known.density if known else self.density,
+            shear_coefficient=known.shear_coefficient if known else self.shear_coefficient,
+            disk_mass=self.si_disk_mass,
+            diametral_inertia=self.si_diametral_inertia,
+            polar_inertia=self.si_polar_inertia,
+        )
+
+    def scales(self) -> Scales:
+        """Return what the charts' units are in SI."""
+        return self.si_rotor()[1]
+
+    def shaft_in_use(self) -> bool:
+        """Whether Φ, M̄_D, Ī_D and Ī_P are those of the SI data."""
+        try:
+            rotor = _values(self.si_rotor()[0])
+        except ValueError:
+            return False
+        return all(math.isclose(value, getattr(self, name)) for name, value in rotor.items())
+
+    def use_shaft(self) -> dict[str, str]:
+        """Set Φ, M̄_D, Ī_D and Ī_P from the SI data: all of them or, out of range, none."""
+        try:
+            values = _values(self.si_rotor()[0])
+        except ValueError as error:
+            return {"shaft_diameter": str(error)}
+        problems = {name: _problem(name, value) for name, value in values.items()}
+        errors = {
+            name: f"of this shaft is {values[name]:.4g}: it {problem}"
+            for name, problem in problems.items()
+            if problem
+        }
+        return errors or self.change(values)
 
     def change(self, values: Mapping[str, Any]) -> dict[str, str]:
         """Set what is valid, refuse the rest; return a message for each refused name.
@@ -266,6 +414,8 @@ class State(param.Parameterized):
         if "tangency" in good:
             # the slider means a partly follower load
             good.setdefault("load_type", "partly")
+        if any(name in good for name in _MATERIAL_INPUTS):
+            good.setdefault("material", "own")
         self.param.update(**good)
         return errors
 
@@ -327,10 +477,14 @@ _START = {
     )
 }
 
+_TABLE_1_SHAFT = {name: State.param[name].default for name in SI_INPUTS}
+
 PRESETS: dict[str, dict[str, Any]] = {
     "Base case": _values(BASE_CASE, **_START),
     "Euler–Bernoulli twin": _values(EULER_BERNOULLI_TWIN, **_START),
-    "Table 1, at rest": _values(_TABLE_1, **(_START | {"spin_speed": 0.0})),
-    "Table 1, 1000 rpm": _values(_TABLE_1, **(_START | {"spin_speed": _THOUSAND_RPM})),
+    "Table 1, at rest": _values(_TABLE_1, **(_START | _TABLE_1_SHAFT | {"spin_speed": 0.0})),
+    "Table 1, 1000 rpm": _values(
+        _TABLE_1, **(_START | _TABLE_1_SHAFT | {"spin_speed": _THOUSAND_RPM})
+    ),
 }
 """Named settings. Chart ranges are left as they are."""

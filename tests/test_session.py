@@ -15,6 +15,7 @@ from app.controls import GROUPS, Controls
 from app.pages import PAGES, explore
 from app.session import Session
 from app.state import PRESETS, State
+from app.units import displayed
 from rotorstab import plots
 
 # a value of every input away from its default, and the charts that it moves
@@ -43,7 +44,23 @@ MOVES = {
     "marker": (True, set()),
     "marker_frequency": (3.0, set()),
     "marker_factor": (0.25, set()),
+    "initial": ("noise", set()),
+    "seed": (7.0, set()),
+    "periods": (30.0, set()),
+    "units": ("SI", set(CHARTS)),
+    # the shaft in SI counts once it is used, or as the scale of charts in SI
+    "shaft_length": (0.8, set()),
+    "shaft_diameter": (25.0, set()),
+    "material": ("steel", set()),
+    "youngs_modulus": (190.0, set()),
+    "shear_modulus": (70.0, set()),
+    "density": (8000.0, set()),
+    "shear_coefficient": (0.8, set()),
+    "si_disk_mass": (2.0, set()),
+    "si_diametral_inertia": (0.02, set()),
+    "si_polar_inertia": (0.03, set()),
 }
+INSPECTOR = {"marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"}
 FLOATS = ("static_load_factor", "spin_speed", "shear", "disk_mass", "polar_inertia", "tangency")
 
 
@@ -110,19 +127,20 @@ def expected(settled=True, **values):
     """What the figures must show for these inputs, straight from the solver."""
     state = State()
     assert state.change(values) == {}
+    result = solve(state, settled)
     return {
         key: (
             {layer.label: plain(plots.columns(layer)) for layer in chart.layers},
             [chart.x_range, chart.y_range],
         )
-        for key, chart in solve(state, settled).charts.items()
+        for key, chart in displayed(result.charts, state, result.numbers).items()
     }
 
 
 def test_every_input_is_moved_by_a_test_and_has_a_control():
     assert set(MOVES) == set(State().inputs())
     placed = {name for _, _, names in GROUPS for name in names}
-    assert placed | {"marker", "marker_frequency", "marker_factor"} == set(MOVES)
+    assert placed | INSPECTOR == set(MOVES)
 
 
 def test_a_session_starts_with_the_solvers_picture(session):

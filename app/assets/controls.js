@@ -51,6 +51,7 @@ export function render({ model, el }) {
       row.say(error);
       if (!error && !(name in state.pending)) row.show(data.values[name]);
     }
+    if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) if (row.hint) row.hint(data.si?.hints[name] || "");
     if (page.answer) page.answer(data);
   });
 
@@ -132,8 +133,9 @@ export function render({ model, el }) {
       if (event.key === "Enter") commit();
       if (event.key === "Escape") { box.value = text(state.values[field.name], field.step); say(""); }
     });
-    rows[field.name] = { show, say };
-    return node("div", { class: "row" }, heading(field, id), node("div", { class: "pair" }, slider, box), error);
+    const si = node("p", { class: "si-value" });
+    rows[field.name] = { show, say, hint: (words) => { si.textContent = words && `= ${words}`; } };
+    return node("div", { class: "row" }, heading(field, id), node("div", { class: "pair" }, slider, box), si, error);
   }
 
   function choice(field) {
@@ -163,6 +165,36 @@ export function render({ model, el }) {
     return node("div", { class: "row switch" }, head);
   }
 
+  // a quantity in SI: its range spans magnitudes, so a box without a slider
+  function quantity(field) {
+    const id = `rs-${field.name}`;
+    const box = node("input", { type: "text", inputmode: "decimal", class: "box", id, autocomplete: "off", "aria-describedby": `${id}-help ${id}-error` });
+    const error = node("p", { class: "error", id: `${id}-error`, role: "alert" });
+    const say = (words) => {
+      error.textContent = words ? `${field.label} ${words}` : "";
+      box.toggleAttribute("aria-invalid", Boolean(words));
+    };
+    const show = (value) => { if (el.getRootNode().activeElement !== box) box.value = String(Number(value.toPrecision(9))); };
+    const commit = () => {
+      const typed = box.value.trim().replace("−", "-").replace(",", ".");
+      const value = Number(typed);
+      if (typed === "" || !Number.isFinite(value) || value < field.low || value > field.high) {
+        say(`must be a number from ${field.low} to ${field.high} ${field.unit}`.trim());
+        return;
+      }
+      say("");
+      // what is shown is rounded
+      if (value !== Number(state.values[field.name].toPrecision(9))) change(field.name, value);
+    };
+    box.addEventListener("change", commit);
+    box.addEventListener("keydown", (event) => {
+      if (event.key === "Enter") commit();
+      if (event.key === "Escape") { box.value = String(Number(state.values[field.name].toPrecision(9))); say(""); }
+    });
+    rows[field.name] = { show, say };
+    return node("div", { class: "row quantity" }, heading(field, id), node("div", { class: "pair" }, box, node("span", { class: "unit" }, field.unit)), error);
+  }
+
   // -- assembly ------------------------------------------------------------
   const form = node("form", { class: "controls", "aria-label": "Parameters" });
   form.addEventListener("submit", (event) => event.preventDefault());
@@ -178,7 +210,8 @@ export function render({ model, el }) {
     node("div", { class: "pair" }, presets, reset)));
   for (const group of spec) {
     const set = node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title));
-    for (const field of group.fields) set.append(field.switch ? toggle(field) : field.options ? choice(field) : number(field));
+    for (const field of group.fields) set.append(field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field));
+    if (group.title === "Units") set.append(page.units.panel(node));
     form.append(set);
   }
 

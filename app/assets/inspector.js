@@ -121,7 +121,7 @@ window.rotorstab.inspector = (() => {
   }, { once: true });
 
   return {
-    tap: (x, y) => place(x, y),
+    tap: (x, y) => place(...page.units.plain("instability", x, y)),
     answer(data) {
       if (data.values) {
         for (const name of ["marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"]) values[name] = data.values[name];

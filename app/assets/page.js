@@ -65,6 +65,26 @@ window.rotorstab = (() => {
     return value.toPrecision(5).replace("-", "−");
   }
 
+  function small(words) {
+    const made = document.createElement("small");
+    made.textContent = words;
+    return made;
+  }
+
+  // in SI loads are in N, frequencies in Hz, and a growing whirl's growth per second
+  function showNumbersInSI(numbers) {
+    for (const place of document.querySelectorAll("[data-number]")) {
+      const value = numbers[place.dataset.number];
+      place.textContent = number(value);
+      if (value !== null) place.append(small(place.dataset.number === "fundamental" ? " Hz" : " N"));
+    }
+    for (const place of document.querySelectorAll("[data-whirl]")) {
+      const [real, imaginary] = numbers.whirl[place.dataset.whirl];
+      place.replaceChildren(number(real), small(" Hz"));
+      if (Math.abs(imaginary) > 1e-9) place.append(small(` ${imaginary < 0 ? "grows" : "decays"} ${Math.abs(imaginary).toPrecision(3)}/s`));
+    }
+  }
+
   function showNumbers(numbers) {
     for (const place of document.querySelectorAll("[data-number]")) place.textContent = number(numbers[place.dataset.number]);
     for (const place of document.querySelectorAll("[data-whirl]")) {
@@ -111,6 +131,7 @@ window.rotorstab = (() => {
 
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
+    if (data.si) showNumbersInSI(data.si.numbers);
     if (data.verdict) {
       const words = document.querySelector("[data-verdict]");
       // spoken only at rest: a moving slider would talk without end
@@ -122,6 +143,7 @@ window.rotorstab = (() => {
     page.paper.answer(data);
     page.lessons.answer(data);
     page.inspector.answer(data);
+    page.units.answer(data);
     if (data.python) {
       const dialog = document.querySelector("dialog.code");
       dialog.querySelector("code").textContent = data.python;
@@ -137,7 +159,8 @@ window.rotorstab = (() => {
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));
     const unit = document.querySelector("[data-growth-unit]");
-    if (data.values) unit.textContent = data.values.growth_unit === "per period" ? "σ̄T" : "σ̄";
+    const si = data.values.units === "SI";
+    unit.textContent = data.values.growth_unit === "per period" ? (si ? "σT" : "σ̄T") : (si ? "σ [1/s]" : "σ̄");
     page.last = data;
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one

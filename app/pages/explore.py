@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64encode
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,7 +13,9 @@ from rotorstab.charts import Chart
 from ..analysis import CHARTS, Result, solve
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
 from ..pins import MOST_PINS, Pin, differences, ghosted, pin
-from ..state import State
+from ..rotor_file import read_rotor_file, write_rotor_file
+from ..state import SYMBOLS, State
+from ..units import displayed, shaft_words, si_answer
 from ..verdict import verdict
 from .base import FRAGMENTS, Page, Reply
 
@@ -25,6 +28,7 @@ class Explore(Page):
     key = "explore"
     title = "Explore"
     chart_keys = (*CHARTS, *INSPECTOR_CHARTS)
+    takes = frozenset({"use_shaft", "rotor_file", "save_rotor_file"})
 
     def __init__(self) -> None:
         super().__init__()
@@ -45,9 +49,9 @@ class Explore(Page):
         The map of growth is coarser while sliders move.
         """
         result = solve(state, settled)
-        charts = ghosted(result.charts, self.pins)
+        charts = marked(result.charts, state, result) if state.marker else result.charts
+        charts = ghosted(displayed(charts, state, result.numbers), self.pins)
         if state.marker:
-            charts = marked(charts, state, result)
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
@@ -98,9 +102,34 @@ class Explore(Page):
                 return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
             self.pins.append(made)
             return Reply({"told": f"{made.name} is kept"})
+        if kind in self.takes:
+            return self._shaft(kind, message.get("text"), state)
         if kind == "unpin":
             self.pins = [one for one in self.pins if one.number != message.get("number")]
         return Reply()
+
+    @staticmethod
+    def _shaft(kind: object, text: object, state: State) -> Reply:
+        """Put a shaft in SI into the sliders, or read or write a rotor file."""
+        if kind == "use_shaft":
+            errors = state.use_shaft()
+            problem = "; ".join(f"{SYMBOLS.get(name, name)} {one}" for name, one in errors.items())
+            return Reply({"shaft_error": problem})
+        if kind == "save_rotor_file":
+            data = b64encode(write_rotor_file(state).encode()).decode()
+            name = "rotor.toml"
+            file = {"name": name, "mime": "application/toml", "base64": data}
+            return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
+        try:
+            # whole or not at all: a bad file leaves every input as it was
+            state.change(read_rotor_file(text if isinstance(text, str) else ""))
+        except ValueError as error:
+            return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
+        return Reply({"shaft_error": "", "told": "the rotor file is open"})
+
+    def beside(self, state: State) -> dict[str, Any]:
+        """Return what the shaft in SI gives, for the sidebar, which every page has."""
+        return {"shaft": shaft_words(state)}
 
     def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
@@ -110,6 +139,7 @@ class Explore(Page):
             "verdict": verdict(result.floquet),
             "settled": settled,
             "inspector": None,
+            "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,
         }
         if state.marker:

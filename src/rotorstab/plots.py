@@ -14,9 +14,9 @@ import numpy as np
 from bokeh.models import CustomJSHover, HoverTool
 from bokeh.palettes import Plasma256
 
-from .charts import ROLES, Chart, Layer
+from .charts import ROLES, Chart, Layer, axis_symbol
 
-__all__ = ["POINT_LOOKS", "columns", "element"]
+__all__ = ["POINT_LOOKS", "columns", "element", "hover_names"]
 
 
 _SIDES: Mapping[str, Mapping[str, Any]] = {
@@ -114,13 +114,27 @@ def _apply_label_places(plot: Any, _: Any) -> None:
     )
 
 
+def _axis_name(label: str) -> str:
+    symbol, unit = axis_symbol(label)
+    return f"{symbol} [{unit}]" if unit else symbol
+
+
+def _growth_name(chart: Chart) -> str:
+    return "growth σ [1/s]" if chart.units == "SI" else "growth σ̄"
+
+
+def hover_names(chart: Chart) -> list[str]:
+    """Return the hover's names of abscissa, ordinate and growth, in the chart's units."""
+    return [_axis_name(chart.x_label), _axis_name(chart.y_label), _growth_name(chart)]
+
+
 def _hover(chart: Chart) -> HoverTool:
     """Return a hover tool that names the mark and gives the point in the chart's symbols."""
     return HoverTool(
         tooltips=[
             ("", "@name"),
-            (chart.x_label.split()[-1], "$x{0.000}"),
-            (chart.y_label.split()[-1], "$y{0.000}"),
+            (_axis_name(chart.x_label), "$x{0.000}"),
+            (_axis_name(chart.y_label), "$y{0.000}"),
         ],
         line_policy="nearest",
         visible=False,
@@ -193,14 +207,14 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
             clabel="",
             colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
             alpha=1.0 if growth else 0.4,
-            tools=[_map_hover()] if growth else [],
+            tools=[_map_hover(chart)] if growth else [],
             hooks=[_bare_colours, _per_period] if growth else [_bare_colours],
             backend="bokeh",
         )
     )
 
 
-def _map_hover() -> HoverTool:
+def _map_hover(chart: Chart) -> HoverTool:
     """Return a hover tool that gives the place, the growth and both verdicts."""
     words = CustomJSHover(
         code="""
@@ -210,9 +224,9 @@ def _map_hover() -> HoverTool:
     )
     return HoverTool(
         tooltips=[
-            ("θ/ωₙ", "$x{0.000}"),
-            ("β_d", "$y{0.000}"),
-            ("growth σ̄", "@rate{custom}"),
+            (_axis_name(chart.x_label), "$x{0.000}"),
+            (_axis_name(chart.y_label), "$y{0.000}"),
+            (_growth_name(chart), "@rate{custom}"),
             ("verdict", "@verdict{custom}"),
         ],
         formatters={"@verdict": words},

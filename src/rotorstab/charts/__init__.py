@@ -14,7 +14,8 @@ from .inspector import (
 )
 from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
-from .structure import ROLES, Chart, Layer, Role
+from .structure import ROLES, Chart, Layer, Role, axis_symbol
+from .units import chart_factors, in_si
 
 __all__ = [
     "ROLES",
@@ -22,9 +23,12 @@ __all__ = [
     "GrowthGrid",
     "Layer",
     "Role",
+    "axis_symbol",
     "campbell_chart",
+    "chart_factors",
     "chart_figure",
     "error_loads",
+    "in_si",
     "instability_chart",
     "load_frequency_chart",
     "marker_layer",

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..figures import Figure, Grid, Panel, Region, Series
-from .structure import ROLES, Chart
+from .structure import ROLES, Chart, axis_symbol
 
 __all__ = ["chart_figure"]
 
@@ -17,18 +17,19 @@ _STYLES = {"solid": "solid", "9 5": "dashed", "2 4": "dotted"}
 
 def _axis(label: str) -> tuple[str, str]:
     """Return an axis label's symbol and unit."""
-    symbol = label.split()[-1]
+    symbol, unit = axis_symbol(label)
     units = {"p̄": "EI/L²", "ω̄": "√(EI/ρAL⁴)", "Ω̄": "√(EI/ρAL⁴)"}
-    return symbol, units.get(symbol, "-")
+    return symbol, unit or units.get(symbol, "-")
 
 
-def _grid(data: Mapping[str, Any]) -> Grid:
+def _grid(data: Mapping[str, Any], units: str) -> Grid:
     """Return the growth map's rates with their pixel centres."""
     rates = np.asarray(data["rate"][0], float)
     rows, columns = rates.shape
     x = data["x"][0] + (np.arange(columns) + 0.5) / columns * data["dw"][0]
     y = data["y"][0] + (np.arange(rows) + 0.5) / rows * data["dh"][0]
-    return Grid("growth rate σ̄", "√(EI/ρAL⁴)", x, y, rates)
+    name = ("growth rate σ", "1/s") if units == "SI" else ("growth rate σ̄", "√(EI/ρAL⁴)")
+    return Grid(*name, x, y, rates)
 
 
 def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
@@ -66,7 +67,7 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
             for x, y, name in zip(*data.values(), strict=True):
                 regions.append(Region(name, name, "solid", x, y))
         elif layer.kind == "map" and "rate" in data:
-            grid = _grid(data)
+            grid = _grid(data, chart.units)
         elif layer.kind == "labels":
             labels += list(zip(data["x"], data["y"], data["name"], strict=True))
     (x_label, x_unit), (y_label, y_unit) = _axis(chart.x_label), _axis(chart.y_label)

@@ -11,7 +11,17 @@ from numpy.typing import NDArray
 
 from ..whirl import WhirlCurves
 
-__all__ = ["ROLES", "Chart", "Layer", "Lines", "Role", "label_columns", "mark_columns", "symmetric"]
+__all__ = [
+    "ROLES",
+    "Chart",
+    "Layer",
+    "Lines",
+    "Role",
+    "axis_symbol",
+    "label_columns",
+    "mark_columns",
+    "symmetric",
+]
 
 Array = NDArray[np.float64]
 _REAL = 1e-9  # |Im ω| below which a tracked frequency is drawn as real
@@ -100,6 +110,7 @@ class Chart:
     y_range: tuple[float, float]
     layers: tuple[Layer, ...]
     square: bool = False  # both axes to one scale, in a square place
+    units: str = "non-dimensional"  # or "SI"
 
     def layer(self, label: str) -> Layer:
         """Return the layer of that label."""
@@ -138,6 +149,20 @@ class Lines:
                 near[:-1] |= complex_[1:]
                 pair = np.where(near, column.real, np.nan)
                 self.add(curves.parameter, pair, f"{name.format(mode)}, complex pair", "growing")
+
+
+def axis_symbol(label: str) -> tuple[str, str]:
+    """Return the symbol and the unit at the end of an axis label; the unit may be empty.
+
+    Examples
+    --------
+    >>> axis_symbol("spin speed Ω [rpm]")
+    ('Ω', 'rpm')
+    >>> axis_symbol("steady load p̄")
+    ('p̄', '')
+    """
+    words, _, unit = label.removesuffix("]").partition(" [")
+    return words.split()[-1], unit
 
 
 def mark_columns(rows: Sequence[tuple[Any, ...]], *extra: str) -> dict[str, Sequence[Any]]:

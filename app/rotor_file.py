@@ -1,0 +1,366 @@
+"""Rotor files: TOML whose quantities carry units, in and out.
+
+A file is either an SI rotor, tables [shaft] and [disk], or plain numbers, [nondimensional],
+to which a [shaft] may give the scales. [operation] may add the spin speed and the load.
+Every error is one line that names the line of the file, the key, what is allowed and the value.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+from rotorstab import ShaftDisk
+from rotorstab.materials import MATERIALS, shear_coefficient
+
+from .quantities import quantity
+from .state import SI_INPUTS, SYMBOLS, State
+
+__all__ = ["LARGEST_FILE", "read_rotor_file", "write_rotor_file"]
+
+LARGEST_FILE = 64_000  # bytes
+
+_OWN = {"youngs_modulus": "modulus", "shear_modulus": "modulus", "density": "density"}
+_INERTIAS = {"mass": "mass", "diametral_inertia": "inertia", "polar_inertia": "inertia"}
+_KEYS = {
+    "shaft": ("length", "diameter", "material", *_OWN, "shear_coefficient"),
+    "disk": (*_INERTIAS, "diameter", "thickness", "material", "density"),
+    "nondimensional": ("shear", "disk_mass", "diametral_inertia", "polar_inertia"),
+    "operation": ("spin_speed", "load_type", "tangency", "static_load_factor"),
+}
+# the state's input, the key it came from, and one unit of the input in SI
+_SHAFT = {
+    "shaft_length": ("length", 1.0),
+    "shaft_diameter": ("diameter", 1e-3),
+    "youngs_modulus": ("youngs_modulus", 1e9),
+    "shear_modulus": ("shear_modulus", 1e9),
+    "density": ("density", 1.0),
+    "shear_coefficient": ("shear_coefficient", 1.0),
+}
+_DISK = {
+    "si_disk_mass": "mass",
+    "si_diametral_inertia": "diametral_inertia",
+    "si_polar_inertia": "polar_inertia",
+}
+
+
+def read_rotor_file(text: str) -> dict[str, Any]:
+    """Return the inputs that a rotor file sets, by the state's names; all of them are in range.
+
+    Raises
+    ------
+    ValueError
+        With one line for the user.
+    """
+    if len(text.encode("utf-8", "surrogatepass")) > LARGEST_FILE:
+        raise ValueError(f"the file is larger than {LARGEST_FILE // 1000} kB")
+    reader = _Reader(text)
+    values = reader.values()
+    # out of the dashboard's own range is an error of the file, told with its line
+    for name, problem in State().change(values).items():
+        reader.fail(reader.origins.get(name, ""), _out_of_range(name, values[name], problem))
+    return values
+
+
+def _out_of_range(name: str, value: Any, problem: str) -> str:
+    unit = SI_INPUTS.get(name, "")
+    given = f"{value:.5g} {unit}".strip()
+    if name in SI_INPUTS:
+        return f"{problem} {unit}".strip() + f"; {given} is not"
+    return f"gives {SYMBOLS[name]} = {given}, which {problem}"
+
+
+def _parse(text: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text + "\n\n")  # the last line has a number too
+    except tomllib.TOMLDecodeError as error:
+        words = str(error)
+        found = re.search(r" \(at line (\d+), column \d+\)$", words)
+        where = f"line {found[1]}: " if found else ""
+        words = _plain(words[: found.start()] if found else words)
+        raise ValueError(f"{where}not TOML: {words}") from None
+    except (ValueError, RecursionError, OverflowError):
+        # an integer of thousands of digits, a date that is none, brackets by the thousand
+        raise ValueError("not TOML: a value in it cannot be read") from None
+
+
+def _plain(text: str, longest: int = 80) -> str:
+    """Return a foreign text as one short printable line."""
+    line = "".join(one if one.isprintable() else " " for one in text[: longest + 1])
+    return line if len(text) <= longest else line[:longest] + " …"
+
+
+def _lines(text: str) -> dict[str, int]:
+    """Return the line of every table and key as it is usually written."""
+    found: dict[str, int] = {}
+    table = ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := re.match(r"\s*\[\s*([\w-]{1,40})\s*\]", line):
+            table = match[1]
+            found.setdefault(table, number)
+        elif match := re.match(r"\s*([\w-]{1,40})(?:\s*\.\s*([\w-]{1,40}))?\s*=", line):
+            keys = [key for key in (table, match[1], match[2]) if key]
+            found.setdefault(".".join(keys), number)
+            found.setdefault(keys[0], number)
+    return found
+
+
+class _Reader:
+    """Reads the tables of one file; `origins` tells which key gave an input."""
+
+    def __init__(self, text: str) -> None:
+        self.lines = _lines(text)
+        self.tables = _parse(text)
+        self.origins: dict[str, str] = {}
+
+    def fail(self, key: str, problem: str) -> NoReturn:
+        """Refuse the file because of a key, such as "shaft.length"."""
+        line = self.lines.get(key) or self.lines.get(key.partition(".")[0])
+        where = f"line {line}: " if line else ""
+        raise ValueError(f"{where}{_plain(key)} {problem}")
+
+    def table(self, name: str) -> Mapping[str, Any]:
+        """Return a table with known keys only."""
+        found = self.tables[name]
+        if not isinstance(found, dict):
+            self.fail(name, f"must be a table, [{name}]")
+        for key in found:
+            if key not in _KEYS[name]:
+                self.fail(f"{name}.{key}", f"is unknown; [{name}] takes {', '.join(_KEYS[name])}")
+        return found
+
+    def need(self, name: str, keys: tuple[str, ...]) -> None:
+        """Refuse a table that lacks a key."""
+        for key in keys:
+            if key not in self.tables[name]:
+                self.fail(name, f"lacks {key}")
+
+    def quantity(self, path: str, value: object, kind: str, positive: bool = True) -> float:
+        """Return a quantity in SI."""
+        try:
+            found = quantity(value, kind)
+        except ValueError as error:
+            self.fail(path, _plain(str(error), 200))
+        if found < 0 or (positive and found == 0):
+            self.fail(
+                path, f"must be {'more than 0' if positive else '0 or more'}; {value!r} is not"
+            )
+        return found
+
+    def number(self, path: str, value: object) -> float:
+        """Return a plain finite number."""
+        plain = isinstance(value, int | float) and not isinstance(value, bool)
+        if not plain or not -1e100 < value < 1e100:  # type: ignore[operator]
+            self.fail(path, f"must be a plain number; {_plain(repr(value)[:99], 40)} is not one")
+        return float(value)  # type: ignore[arg-type]
+
+    def values(self) -> dict[str, Any]:
+        """Return the state's inputs."""
+        for name in self.tables:
+            if name not in _KEYS:
+                self.fail(
+                    name, f"is unknown; a rotor file has {', '.join(f'[{k}]' for k in _KEYS)}"
+                )
+        plain = "nondimensional" in self.tables
+        if plain and "disk" in self.tables:
+            self.fail("disk", "cannot stand beside [nondimensional], which gives the disk")
+        shaft = self.shaft() if "shaft" in self.tables else {}
+        if not plain:
+            for name in ("shaft", "disk"):
+                if name not in self.tables:
+                    raise ValueError(
+                        f"the file lacks [{name}] (or, without units, [nondimensional])"
+                    )
+        disk = {} if plain else self.disk()
+        values = self.inputs(shaft, disk)
+        frequency = None
+        if shaft:
+            values["units"] = "SI"
+            given = disk or {"mass": 0.0, "diametral_inertia": 0.0, "polar_inertia": 0.0}
+            try:
+                rotor, scales = ShaftDisk.from_si(
+                    **{key: shaft[key] for key, _ in _SHAFT.values()},
+                    disk_mass=given["mass"],
+                    diametral_inertia=given["diametral_inertia"],
+                    polar_inertia=given["polar_inertia"],
+                )
+            except (ValueError, OverflowError, ZeroDivisionError):
+                self.fail("shaft", "is no shaft: its length and diameter do not fit together")
+            frequency = scales.frequency
+            if disk:
+                values["shear"] = rotor.shear
+                self.origins["shear"] = "shaft.diameter"
+                for name in ("disk_mass", "diametral_inertia", "polar_inertia"):
+                    values[name] = getattr(rotor, name)
+                    self.origins[name] = f"disk.{name.removeprefix('disk_')}"
+        else:
+            values["units"] = "non-dimensional"
+        if plain:
+            numbers = self.table("nondimensional")
+            self.need("nondimensional", _KEYS["nondimensional"])
+            for key, value in numbers.items():
+                values[key] = self.number(f"nondimensional.{key}", value)
+                self.origins[key] = f"nondimensional.{key}"
+        if "operation" in self.tables:
+            values |= self.operation(frequency)
+        return values
+
+    def inputs(self, shaft: Mapping[str, Any], disk: Mapping[str, float]) -> dict[str, Any]:
+        """Return the inputs of the SI data, in the units of the inputs."""
+        values: dict[str, Any] = {}
+        if shaft:
+            values["material"] = shaft["material"]
+            for name, (key, unit) in _SHAFT.items():
+                if key in ("length", "diameter") or shaft["material"] == "own":
+                    # 207e9/1e9 is 207 to the last digit, 207e9·1e-9 is not
+                    values[name] = float(f"{shaft[key] / unit:.15g}")
+                    self.origins[name] = f"shaft.{key}"
+        for name, key in _DISK.items():
+            if disk:
+                values[name] = disk[key]
+                self.origins[name] = f"disk.{key}"
+        return values
+
+    def shaft(self) -> dict[str, Any]:
+        """Return the shaft's data in SI, every key of it."""
+        table = self.table("shaft")
+        self.need("shaft", ("length", "diameter"))
+        found: dict[str, Any] = {
+            key: self.quantity(f"shaft.{key}", table[key], "length")
+            for key in ("length", "diameter")
+        }
+        material = self.material("shaft", tuple(_OWN))
+        if material is None:
+            self.need("shaft", tuple(_OWN))
+            found["material"] = "own"
+            for key, kind in _OWN.items():
+                found[key] = self.quantity(f"shaft.{key}", table[key], kind)
+        else:
+            found["material"] = material
+            found |= {key: getattr(MATERIALS[material], key) for key in _OWN}
+        if "shear_coefficient" in table:
+            value = self.number("shaft.shear_coefficient", table["shear_coefficient"])
+            if not 0 < value <= 1:
+                self.fail("shaft.shear_coefficient", f"must be in (0, 1]; {value:g} is not")
+            found["shear_coefficient"] = value
+            found["material"] = "own"  # a coefficient of its own makes it no handbook material
+        else:
+            try:
+                found["shear_coefficient"] = shear_coefficient(
+                    found["youngs_modulus"], found["shear_modulus"]
+                )
+            except ValueError:
+                self.fail(
+                    "shaft.shear_modulus",
+                    "must be at least a third of youngs_modulus, "
+                    "or shear_coefficient must be given",
+                )
+        return found
+
+    def material(self, name: str, instead: tuple[str, ...]) -> str | None:
+        """Return the material of a table, or None where it has data of its own."""
+        table = self.tables[name]
+        if "material" not in table:
+            return None
+        material = table["material"]
+        if not isinstance(material, str) or material not in MATERIALS:
+            words = ", ".join(MATERIALS)
+            self.fail(
+                f"{name}.material", f"must be one of {words}; {_plain(repr(material))} is not"
+            )
+        for key in instead:
+            if key in table:
+                self.fail(f"{name}.{key}", "cannot stand beside material, which gives it")
+        return material
+
+    def disk(self) -> dict[str, float]:
+        """Return mass and inertias of the disk in SI, given or of a solid disk."""
+        table = self.table("disk")
+        if not {"diameter", "thickness"} & set(table):
+            for key in ("material", "density"):
+                if key in table:
+                    self.fail(f"disk.{key}", "needs diameter and thickness beside it")
+            self.need("disk", tuple(_INERTIAS))
+            return {
+                key: self.quantity(f"disk.{key}", table[key], kind, positive=key == "mass")
+                for key, kind in _INERTIAS.items()
+            }
+        for key in _INERTIAS:
+            if key in table:
+                self.fail(f"disk.{key}", "cannot stand beside diameter and thickness")
+        self.need("disk", ("diameter", "thickness"))
+        diameter, thickness = (
+            self.quantity(f"disk.{key}", table[key], "length") for key in ("diameter", "thickness")
+        )
+        material = self.material("disk", ("density",))
+        if material is None:
+            if "density" not in table:
+                self.fail("disk", "lacks density or material")
+            density = self.quantity("disk.density", table["density"], "density")
+        else:
+            density = MATERIALS[material].density
+        try:
+            mass = density * math.pi * diameter**2 / 4 * thickness
+            polar = mass * diameter**2 / 8
+            diametral = polar / 2 + mass * thickness**2 / 12
+        except OverflowError:
+            self.fail("disk.diameter", "is too large")
+        return {"mass": mass, "diametral_inertia": diametral, "polar_inertia": polar}
+
+    def operation(self, frequency: float | None) -> dict[str, Any]:
+        """Return spin speed and load; `frequency` is the scale of a shaft in SI."""
+        table = self.table("operation")
+        found: dict[str, Any] = {}
+        for key, value in table.items():
+            path = f"operation.{key}"
+            self.origins[key] = path
+            if key == "load_type":
+                kinds = State.param.load_type.objects
+                if not isinstance(value, str) or value not in kinds:
+                    self.fail(
+                        path, f"must be one of {', '.join(kinds)}; {_plain(repr(value))} is not"
+                    )
+                found[key] = value
+            elif key == "spin_speed" and isinstance(value, str):
+                if frequency is None:
+                    self.fail(path, "must be a plain number Ω̄ where there is no [shaft]")
+                found[key] = self.quantity(path, value, "speed", positive=False) / frequency
+            elif key == "spin_speed" and "nondimensional" not in self.tables:
+                self.quantity(path, value, "speed")  # says that a unit is missing
+            else:
+                found[key] = self.number(path, value)
+        return found
+
+
+def write_rotor_file(state: State) -> str:
+    """Return the rotor file of the present inputs: what is read back is what was written."""
+    lines = ["# A rotor, written by rotorstab."]
+    matches = state.units == "SI" and state.shaft_in_use()
+    if state.units == "SI":
+        lines += ["", "[shaft]", f'length = "{state.shaft_length!r} m"']
+        lines.append(f'diameter = "{state.shaft_diameter!r} mm"')
+        if state.material == "own":
+            lines.append(f'youngs_modulus = "{state.youngs_modulus!r} GPa"')
+            lines.append(f'shear_modulus = "{state.shear_modulus!r} GPa"')
+            lines.append(f'density = "{state.density!r} kg/m^3"')
+            lines.append(f"shear_coefficient = {state.shear_coefficient!r}")
+        else:
+            lines.append(f'material = "{state.material}"')
+    if matches:
+        lines += ["", "[disk]", f'mass = "{state.si_disk_mass!r} kg"']
+        lines.append(f'diametral_inertia = "{state.si_diametral_inertia!r} kg m^2"')
+        lines.append(f'polar_inertia = "{state.si_polar_inertia!r} kg m^2"')
+        turns = state.spin_speed * state.scales().frequency * 60 / (2 * math.pi)
+        speed = f'"{turns:.12g} rpm"'
+    else:
+        lines += ["", "[nondimensional]"]
+        lines += [f"{key} = {getattr(state, key)!r}" for key in _KEYS["nondimensional"]]
+        speed = repr(state.spin_speed)
+    lines += ["", "[operation]", f"spin_speed = {speed}", f'load_type = "{state.load_type}"']
+    if state.load_type == "partly":
+        lines.append(f"tangency = {state.tangency!r}")
+    lines.append(f"static_load_factor = {state.static_load_factor!r}")
+    return "\n".join(lines) + "\n"
