@@ -114,6 +114,7 @@ def page(kept_page, dashboard):
           while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
           focused?.blur();
           scrollTo(0, 0);
+          location.hash = "explore";
           rotorstab.last = {};
           rotorstab.send({ type: "reset" });
         }"""
