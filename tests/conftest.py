@@ -49,6 +49,12 @@ class Watch:
         page.on("requestfailed", self._failed)
         page.on("request", lambda request: self.hosts.add(urlsplit(request.url).netloc))
 
+    def check(self, server):
+        """Fail on what was complained of since the last check."""
+        complaints, self.complaints = self.complaints, []
+        assert complaints == []
+        assert self.hosts - {""} == {urlsplit(server.origin).netloc}
+
     def _console(self, message):
         if message.type == "error":
             where = message.location
@@ -61,29 +67,58 @@ class Watch:
             self.complaints.append(f"request: {request.url} {request.failure}")
 
 
+def opened(browser, server, width=1280, height=900, path="/app", **options):
+    """Open the dashboard in a context of its own; return the context, the page and its watch."""
+    context = browser.new_context(viewport={"width": width, "height": height}, **options)
+    context.set_default_timeout(20_000)
+    page = context.new_page()
+    watch = Watch(page)
+    page.goto(server.origin + path)
+    page.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
+    return context, page, watch
+
+
 @pytest.fixture
 def open_page(browser, dashboard):
-    """Open dashboard pages in contexts of their own; any complaint fails the test."""
-    opened = []
+    """Open dashboard pages; any complaint of theirs fails the test."""
+    contexts, watches = [], []
 
-    def open_one(width=1280, height=900, path="/app", **options):
-        context = browser.new_context(viewport={"width": width, "height": height}, **options)
-        context.set_default_timeout(20_000)
-        page = context.new_page()
-        opened.append((context, Watch(page)))
-        page.goto(dashboard.origin + path)
-        page.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
+    def open_one(*size, **options):
+        context, page, watch = opened(browser, dashboard, *size, **options)
+        contexts.append(context)
+        watches.append(watch)
         return page
 
     yield open_one
-    for context, _ in opened:
+    for context in contexts:
         context.close()
-    for _, watch in opened:
-        assert watch.complaints == []
-        assert watch.hosts - {""} == {urlsplit(dashboard.origin).netloc}
+    for watch in watches:
+        watch.check(dashboard)
+
+
+@pytest.fixture(scope="session")
+def kept_page(browser, dashboard):
+    """One page for all tests that need no fresh one: opening it takes seconds."""
+    context, page, watch = opened(browser, dashboard)
+    yield page, watch
+    context.close()
 
 
 @pytest.fixture
-def page(open_page):
-    """The dashboard at 1280 px."""
-    return open_page()
+def page(kept_page, dashboard):
+    """The dashboard at 1280 px with every input at its default."""
+    page, watch = kept_page
+    page.evaluate(
+        """async () => {
+          let focused = document.activeElement;
+          while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+          focused?.blur();
+          scrollTo(0, 0);
+          location.hash = "explore";
+          rotorstab.last = {};
+          rotorstab.send({ type: "reset" });
+        }"""
+    )
+    page.wait_for_function("rotorstab.last.values && Bokeh.documents[0].is_idle")
+    yield page
+    watch.check(dashboard)

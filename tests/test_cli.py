@@ -180,8 +180,8 @@ def test_the_module_runs_and_survives_a_closed_pipe():
 
 def test_solving_does_not_import_a_drawing_library():
     code = (
-        "import sys; from rotorstab import commands
-from rotorstab.__main__ import main; main(['figure', '6']); "
+        "import sys; from rotorstab import commands; "
+        "from rotorstab.__main__ import main; main(['figure', '6']); "
         "sys.exit(any(m.split('.')[0] in ('holoviews', 'matplotlib', 'bokeh') "
         "for m in sys.modules))"
     )

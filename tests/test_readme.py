@@ -26,9 +26,7 @@ def test_the_python_blocks_run_and_give_what_their_comments_say():
         comment = re.search(r"# ([−\d].*)$", lines[node.end_lineno - 1])
         if isinstance(node, ast.Expr) and comment:
             value = np.ravel(eval(code, names))
-            told = [
-                float(text) for text in re.findall(r"-?\d+\.\d+", comment[1].replace("−", "-"))
-            ]
+            told = [float(text) for text in re.findall(r"-?\d+\.\d+", comment[1].replace("−", "-"))]
             np.testing.assert_allclose(value, told, atol=5.1e-5)
             checked += 1
         else:
