@@ -2,7 +2,7 @@
 window.rotorstab.lessons = (() => {
   const page = window.rotorstab;
   const STORE = "rotorstab-lessons";
-  const CHARTS = { instability: "instability-title", "load-frequency": "load-title", campbell: "campbell-title" };
+  const CHARTS = { instability: "instability-title", "load-frequency": "load-title", campbell: "campbell-title", inspector: "inspector-title" };
   const LIMITS = { marker_frequency: ["lowest_frequency", "highest_frequency"], marker_factor: ["", "largest_factor"] };
   const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
   const panel = () => document.querySelector(".lesson");
@@ -107,7 +107,10 @@ window.rotorstab.lessons = (() => {
       return controls[field.name].row;
     });
     if (step.has_set) rows.push(button("Set it for me", () => page.send({ type: "lesson-set" })));
-    if (step.look.length) rows.push(button("Show the chart", () => card(step.look[0])?.scrollIntoView({ block: "start" })));
+    for (const name of step.look) {
+      const words = name === "inspector" ? "Look inside the point" : step.look.length > 1 ? `Show the ${name} chart` : "Show the chart";
+      rows.push(button(words, () => card(name)?.scrollIntoView({ block: "start" })));
+    }
     place("move").replaceChildren(...rows);
   }
 
@@ -194,7 +197,7 @@ window.rotorstab.lessons = (() => {
     const here = running && document.querySelector('[data-page="explore"]') && !document.querySelector('[data-page="explore"]').hidden;
     panel().hidden = !here;
     document.querySelector("main").classList.toggle("teaching", Boolean(here));
-    for (const name of Object.keys(CHARTS)) card(name)?.classList.toggle("looked", Boolean(here) && running.look.includes(name));
+    for (const name of Object.keys(CHARTS)) if (name !== "inspector") card(name)?.classList.toggle("looked", Boolean(here) && running.look.includes(name));
     return here;
   }
 

@@ -20,7 +20,7 @@ LONGEST_FILE = 100_000  # characters
 _MOST_STEPS = 30
 _PARTS = ("predict", "try", "see")
 _BLOCKS = ("set", "question", "show")
-_CHARTS = ("instability", "load-frequency", "campbell")
+_CHARTS = ("instability", "load-frequency", "campbell", "inspector")
 
 
 @dataclass(frozen=True)
