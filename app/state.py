@@ -34,6 +34,8 @@ SYMBOLS = {
     "highest_frequency": "θ/ωₙ max",
     "marker_frequency": "θ/ωₙ",
     "marker_factor": "β_d",
+    "seed": "s",
+    "periods": "N",
 }
 
 

@@ -17,6 +17,7 @@ from app.session import Session
 from app.state import PRESETS, State
 from rotorstab import plots
 
+MARKS = ("marker", "marker ruler", "pins")
 # a value of every input away from its default, and the charts that it moves
 MOVES = {
     "load_type": ("follower", {"instability", "campbell"}),
@@ -43,6 +44,9 @@ MOVES = {
     "marker": (True, set()),
     "marker_frequency": (3.0, set()),
     "marker_factor": (0.25, set()),
+    "initial": ("noise", set()),
+    "seed": (7.0, set()),
+    "periods": (20.0, set()),
 }
 FLOATS = ("static_load_factor", "spin_speed", "shear", "disk_mass", "polar_inertia", "tangency")
 
@@ -76,7 +80,8 @@ def change(session, **values):
 
 
 def charts(session):
-    return session.pages["explore"].charts
+    """The three charts; what the inspector adds has its own tests."""
+    return {key: session.pages["explore"].charts[key] for key in CHARTS}
 
 
 def ranges(chart):
@@ -99,7 +104,11 @@ def picture(session):
     """Everything that the three figures show."""
     return {
         key: (
-            {label: plain(dict(source.data)) for label, source in chart.sources.items()},
+            {
+                label: plain(dict(source.data))
+                for label, source in chart.sources.items()
+                if label not in MARKS
+            },
             ranges(chart),
         )
         for key, chart in charts(session).items()
@@ -122,7 +131,8 @@ def expected(settled=True, **values):
 def test_every_input_is_moved_by_a_test_and_has_a_control():
     assert set(MOVES) == set(State().inputs())
     placed = {name for _, _, names in GROUPS for name in names}
-    assert placed | {"marker", "marker_frequency", "marker_factor"} == set(MOVES)
+    inspector = {"marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"}
+    assert placed | inspector == set(MOVES)
 
 
 def test_a_session_starts_with_the_solvers_picture(session):
@@ -360,6 +370,7 @@ def test_charts_are_built_once(session, monkeypatch):
             for key, live in charts(session).items()
         }
 
+    change(session, marker=True)  # the inspector's charts and marks are made here
     before = models()
     monkeypatch.setattr(plots, "element", lambda chart: pytest.fail("a chart was built anew"))
     for name, (value, _) in MOVES.items():
@@ -379,8 +390,8 @@ def test_unchanged_columns_are_not_sent_again(session):
         for label, source in live.sources.items():
             source.on_change("data", partial(note, (key, label)))
     change(session, stiffness="both")
-    # the map of growth is coarser while inputs move
-    maps = {("instability", "growth"), ("instability", "disagreement")}
+    # the map of growth is coarser while inputs move, and its edges wait for rest
+    maps = {("instability", label) for label in ("growth", "disagreement", "tongue edge")}
     assert {key for key, _ in set(patched) - maps} == {"load-frequency"}
     patched.clear()
     change(session, spin_speed=1.0)
