@@ -354,17 +354,20 @@ class State(param.Parameterized):
             If the shaft is too thick for its length to be one.
         """
         known = MATERIALS.get(self.material)
-        return ShaftDisk.from_si(
-            length=self.shaft_length,
-            diameter=self.shaft_diameter / 1e3,
-            youngs_modulus=known.youngs_modulus if known else self.youngs_modulus * 1e9,
-            shear_modulus=known.shear_modulus if known else self.shear_modulus * 1e9,
-            density=known.density if known else self.density,
-            shear_coefficient=known.shear_coefficient if known else self.shear_coefficient,
-            disk_mass=self.si_disk_mass,
-            diametral_inertia=self.si_diametral_inertia,
-            polar_inertia=self.si_polar_inertia,
-        )
+        try:
+            return ShaftDisk.from_si(
+                length=self.shaft_length,
+                diameter=self.shaft_diameter / 1e3,
+                youngs_modulus=known.youngs_modulus if known else self.youngs_modulus * 1e9,
+                shear_modulus=known.shear_modulus if known else self.shear_modulus * 1e9,
+                density=known.density if known else self.density,
+                shear_coefficient=known.shear_coefficient if known else self.shear_coefficient,
+                disk_mass=self.si_disk_mass,
+                diametral_inertia=self.si_diametral_inertia,
+                polar_inertia=self.si_polar_inertia,
+            )
+        except ValueError:
+            raise ValueError("this shaft is too thick for its length") from None
 
     def scales(self) -> Scales:
         """Return what the charts' units are in SI."""
