@@ -123,16 +123,7 @@ def picture(session):
     """Everything that the three figures show."""
     return {
         key: (
-<<<<<<< HEAD
-            {
-                label: plain(dict(source.data))
-                for label, source in chart.sources.items()
-                # a marker's layers stay, empty, when it is gone
-                if label not in chart._added or any(map(len, source.data.values()))
-            },
-=======
             shown({label: dict(source.data) for label, source in chart.sources.items()}),
->>>>>>> ce977a1e26c7043deb70b2b76471a67afe7d8598
             ranges(chart),
         )
         for key, chart in charts(session).items()
@@ -418,13 +409,9 @@ def test_unchanged_columns_are_not_sent_again(session):
         for label, source in live.sources.items():
             source.on_change("data", partial(note, (key, label)))
     change(session, stiffness="both")
-<<<<<<< HEAD
-    assert {key for key, label in patched if label not in FLOQUET} == {"load-frequency"}
-=======
     # the map of growth and its edges are coarser while inputs move
     curves = {key for key, label in patched if label in ("boundary", "whirl")}
     assert curves == {"load-frequency"}
->>>>>>> ce977a1e26c7043deb70b2b76471a67afe7d8598
     patched.clear()
     change(session, spin_speed=1.0)
     assert ("campbell", "marks") in patched
