@@ -42,12 +42,12 @@ def test_the_example_gives_the_numbers_of_table_1():
 
 
 def test_a_solid_disk_of_a_material():
-    text = SHAFT + '[disk]\ndiameter = "160 mm"\nthickness = "20 mm"\nmaterial = "aluminium"\n'
+    text = SHAFT + '[disk]\ndiameter = "240 mm"\nthickness = "20 mm"\nmaterial = "aluminium"\n'
     values = read_rotor_file(text)
-    mass = 2700 * math.pi * 0.16**2 / 4 * 0.02
+    mass = 2700 * math.pi * 0.24**2 / 4 * 0.02
     assert values["si_disk_mass"] == pytest.approx(mass)
-    assert values["si_polar_inertia"] == pytest.approx(mass * 0.08**2 / 2)
-    assert values["si_diametral_inertia"] == pytest.approx(mass * (0.08**2 / 4 + 0.02**2 / 12))
+    assert values["si_polar_inertia"] == pytest.approx(mass * 0.12**2 / 2)
+    assert values["si_diametral_inertia"] == pytest.approx(mass * (0.12**2 / 4 + 0.02**2 / 12))
     assert values["material"] == "steel"
 
 
