@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -22,6 +23,7 @@ LOWEST = 0.2
 _MODES = ("1B", "1F", "2B", "2F")
 _NAME_WIDTH = 0.06  # of the axis: room for the name of one tongue
 _NAME_HEIGHT = 0.09
+_APART = 0.05  # of the axis: roots of one pair farther apart are named each
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,16 +107,23 @@ def _unstable(
 def _names(
     variants: Sequence[Variant], frequency: float, largest_factor: float, highest: float
 ) -> tuple[Mark, ...]:
-    """Name every tongue of first order once, right of its root, clear of other names."""
-    roots: dict[str, float] = {}
+    """Name the tongues of first order, right of their roots, clear of other names."""
+    roots: dict[str, list[float]] = {}
     for variant in variants:
         table = resonances(variant.true_system, variant.mean_load, variant.reference_load)
         for row in table.tongues:
             x = row.centre / frequency
             if LOWEST <= x <= highest:
-                roots[row.name] = max(x, roots.get(row.name, 0.0))
+                roots.setdefault(row.name, []).append(x)
+    # variants whose roots lie close by share a name, right of the last of them
+    places = [
+        (x, name)
+        for name, row in roots.items()
+        for x, after in pairwise([*sorted(row), np.inf])
+        if after - x > _APART * highest
+    ]
     merged: dict[float, list[str]] = {}
-    for name, x in sorted(roots.items(), key=lambda item: item[1]):
+    for x, name in sorted(places):
         near = next((other for other in merged if x - other < 0.004 * highest), x)
         merged.setdefault(near, []).append(name)
     marks: list[Mark] = []
