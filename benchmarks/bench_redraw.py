@@ -65,10 +65,16 @@ class Tab:
         argument = {"slider": slider, "value": value, "wanted": wanted}
         return self.page.evaluate("argument => bench.move(argument)", argument)
 
+    def rest(self):
+        """Wait until the page has also drawn what it draws once the slider rests."""
+        self.page.wait_for_function("!window.rotorstab || rotorstab.last.settled")
+        time.sleep(0.05)
+
     def return_to_start(self, slider):
         """Bring the slider back to the base case."""
         start = State.param[slider].default
         self.move(slider, start, probes(slider, start))
+        self.rest()
 
     def start_drag(self, slider, steps):
         """Drag through steps at 60 events/s without waiting for the end."""
@@ -81,7 +87,7 @@ class Tab:
         self.page.evaluate("argument => { window.outcome = bench.drag(argument); }", argument)
 
     def outcome(self):
-        """Wait for the end of the drag."""
+        """Return what followed the drag, once it has ended."""
         return self.page.evaluate("() => window.outcome")
 
 
@@ -106,7 +112,7 @@ def redraws(floor, own, count):
                 times[slider][tab].append(tab.move(slider, value, wanted))
                 if before is not None:
                     cpu[tab] += cpu_seconds(tab.server.process) - before
-                time.sleep(0.05)
+                tab.rest()
         for tab in (floor, own):
             tab.return_to_start(slider)
     return times, cpu
@@ -171,6 +177,7 @@ def main(count=60, rounds=3):
             for slider in SLIDERS:
                 for value in values(slider, WARM + count)[:WARM]:
                     tab.move(slider, value, probes(slider, value))
+                    tab.rest()
                 tab.return_to_start(slider)
         met = report_redraws(*redraws(floor, own, count), floor, own)
 
@@ -188,7 +195,7 @@ def main(count=60, rounds=3):
             for tab in outcomes:
                 tab.start_drag("spin_speed", drag("spin_speed"))
                 outcomes[tab].append(tab.outcome())
-                time.sleep(0.3)
+                tab.rest()
         report_drags("floor", 1, outcomes[floor])
         settled = report_drags("dashboard", 1, outcomes[own])
         floor.page.close()

@@ -35,12 +35,12 @@ def drag(slider, place=0):
 
 @lru_cache(maxsize=2048)
 def charts(slider=None, value=None):
-    """Return the charts for the base case with one value changed."""
+    """Return the charts, as while a slider moves, for the base case with one value changed."""
     state = State()
     if slider:
         errors = state.change({slider: value})
         assert not errors, errors
-    return solve(state).charts
+    return solve(state, settled=False).charts
 
 
 def moving_columns(slider, table):
