@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from rotorstab import Scales
 from rotorstab.charts import Chart, Layer
 
@@ -73,16 +75,26 @@ def ghosted(charts: dict[str, Chart], pins: Sequence[Pin]) -> dict[str, Chart]:
 
 
 def _ghosts(now: Chart, pins: Sequence[Pin]) -> Layer:
+    """Return the pinned curves that are not just the present ones again."""
+    label = _CURVES[now.key]
+    present = now.layer(label).columns
     columns: dict[str, list[Any]] = {"xs": [], "ys": [], "name": [], "role": []}
     for one in pins:
         chart = one.result.charts[now.key]
         if now.units == "SI":
             chart = chart_in_si(chart, one.scales, one.result.numbers)
-        curves = chart.layer(_CURVES[now.key]).columns
-        columns["xs"] += curves["xs"]
-        columns["ys"] += curves["ys"]
-        columns["name"] += [f"{one.name}: {name}" for name in curves["name"]]
-        columns["role"] += [f"pin {one.number}"] * len(curves["xs"])
+        kept = chart.layer(label).columns
+        for x, y, name, role in zip(*(kept[key] for key in columns), strict=True):
+            covered = any(
+                np.array_equal(y, new_y, equal_nan=True)
+                and np.array_equal(x, new_x, equal_nan=True)
+                for new_x, new_y in zip(present["xs"], present["ys"], strict=True)
+            )
+            if not covered and role != "synchronous":
+                columns["xs"].append(x)
+                columns["ys"].append(y)
+                columns["name"].append(f"{one.name}: {name}")
+                columns["role"].append(f"pin {one.number}")
     return Layer("lines", "pins", columns)
 
 

@@ -254,8 +254,11 @@ def test_pins_keep_curves_and_tell_what_differs(session):
     assert rows["Static load factor α_s"] == ["0.2", "0.5"]
     assert {"Static load p̄_0", "Whirl 1F ω̄"} <= set(rows)
     ghosts = data(session, "campbell", "pins")
+    assert len(ghosts["ys"]) == 4  # not the synchronous lines
     for ghost, line in zip(ghosts["ys"], before, strict=False):
         np.testing.assert_array_equal(ghost, line)
+    # where a pin's curve is the present one there is no ghost
+    assert len(data(session, "load-frequency", "pins")["ys"]) == 0
     for label in ("", None):
         session.respond({"type": "pin", "label": label})
     answer = session.respond({"type": "pin", "label": "too many"})
