@@ -35,6 +35,8 @@ SYMBOLS = {
     "highest_frequency": "θ/ωₙ max",
     "marker_frequency": "θ/ωₙ",
     "marker_factor": "β_d",
+    "seed": "s",
+    "periods": "N",
     "shaft_length": "L",
     "shaft_diameter": "d",
     "youngs_modulus": "E",
