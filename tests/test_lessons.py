@@ -107,7 +107,8 @@ def test_every_quantity_has_a_value_and_is_documented():
 
 
 def test_every_parameter_is_documented():
-    assert all(f"| `{name}` |" in DOCUMENT for name in INPUTS)
+    # a new input wants a row in the last table of docs/lessons.md
+    assert [name for name in INPUTS if f"| `{name}` |" not in DOCUMENT] == []
 
 
 def test_the_documents_example_is_a_lesson():
