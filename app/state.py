@@ -46,8 +46,6 @@ SYMBOLS = {
     "si_disk_mass": "M_D",
     "si_diametral_inertia": "I_D",
     "si_polar_inertia": "I_P",
-    "seed": "s",
-    "periods": "N",
 }
 SI_INPUTS = {
     "shaft_length": "m",

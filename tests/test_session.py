@@ -58,6 +58,7 @@ MOVES = {
     "si_polar_inertia": (0.03, set()),
 }
 FLOQUET = ("growth", "disagreement", "tongue", "tongue edge")  # coarser while inputs move
+INSPECTOR = {"marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"}
 FLOATS = ("static_load_factor", "spin_speed", "shear", "disk_mass", "polar_inertia", "tangency")
 
 
