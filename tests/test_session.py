@@ -159,7 +159,7 @@ def test_a_session_starts_with_the_solvers_picture(session):
     assert set(charts(session)) == set(CHARTS)
 
 
-@pytest.mark.parametrize("name", [name for name in MOVES if name not in INSPECTOR])
+@pytest.mark.parametrize("name", MOVES)
 def test_each_input_moves_its_charts_to_what_the_solver_returns(session, name):
     value, moved = MOVES[name]
     before = picture(session)
@@ -393,8 +393,7 @@ def test_charts_are_built_once(session, monkeypatch):
     before = models()
     monkeypatch.setattr(plots, "element", lambda chart: pytest.fail("a chart was built anew"))
     for name, (value, _) in MOVES.items():
-        if name not in INSPECTOR:  # its charts are built with the first marker
-            change(session, **{name: value})
+        change(session, **{name: value})
     for preset in PRESETS:
         session.respond({"type": "preset", "name": preset})
     assert models() == before
