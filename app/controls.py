@@ -48,7 +48,7 @@ WORDS = {
     "partly": "Partly",
     "follower": "Follower",
     "buckling": "Buckling load",
-    "flutter": "Flutter load",
+    "flutter": "Flutter at rest",
     "linear": "Linear",
     "exact": "Exact",
     "both": "Both",

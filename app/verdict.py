@@ -16,7 +16,9 @@ _MOST = 6  # tongues named in one sentence
 def _percent(share: float) -> str:
     if share == 0:
         return "nothing"
-    return "under 0.1 %" if share < 0.001 else f"{100 * share:.2g} %"
+    if share < 0.001:
+        return "under 0.1 %"
+    return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
 
 
 def _tongue(one: Resonance, frequency: float) -> str:
@@ -29,11 +31,14 @@ def _tongues(answer: FloquetAnswer) -> str:
     frequency = answer.fundamental_frequency
     inside = [one for one in answer.table.tongues if low <= one.centre / frequency <= high]
     if not inside:
-        return "No pair of modes resonates in this window at β_d = 0.1."
+        return "No tongue of first order starts in this window."
     named = "; ".join(_tongue(one, frequency) for one in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
     word = "tongue" if len(inside) == 1 else "tongues"
-    return f"At β_d = 0.1 Floquet finds {len(inside)} {word} in this window: {named}{more}."
+    return (
+        f"To first order in the load, {len(inside)} {word} in this window at β_d = 0.1: "
+        f"{named}{more}; lines without a name are of higher order."
+    )
 
 
 def _margin(answer: FloquetAnswer) -> str:
@@ -47,7 +52,10 @@ def _margin(answer: FloquetAnswer) -> str:
     if not math.isfinite(first.threshold):
         return "No pulsation, however large, makes two modes resonate."
     if first.threshold == 0:
-        return "Without damping any pulsation, however small, suffices at a tongue’s centre."
+        return (
+            "Without damping any pulsation, however small, suffices at a first-order "
+            "tongue’s centre."
+        )
     return (
         f"Damping holds up to β_d = {first.threshold / answer.reference_load:.3f}; "
         f"{first.name} goes first."
@@ -58,10 +66,10 @@ def _comparison(answer: FloquetAnswer) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     text = f"Of this window {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
     if true > 0 and bolotin > true:
-        text += f", an overstatement of {100 * (bolotin / true - 1):,.0f} %"
+        text += f", overstating the area by {100 * (bolotin / true - 1):,.0f} %"
     missed = true - both
     if missed > 0.001 * true > 0:
-        text += f"; {_percent(missed / true)} of what is unstable lies outside them"
+        text += f"; yet {_percent(missed / true)} of what is unstable lies outside them"
     return text + "."
 
 

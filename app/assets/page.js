@@ -92,7 +92,8 @@ window.rotorstab = (() => {
       place.textContent = number(real);
       if (Math.abs(imaginary) > 1e-9) {
         const extra = document.createElement("small");
-        extra.textContent = ` ${imaginary < 0 ? "−" : "+"} ${number(Math.abs(imaginary))}j`;
+        extra.className = "complex";
+        extra.textContent = ` ${imaginary < 0 ? "−" : "+"} ${number(Math.abs(imaginary))}j, ${imaginary < 0 ? "grows" : "decays"}`;
         place.append(extra);
       }
     }

@@ -108,11 +108,16 @@ def _growth_layers(
 def _edge_lines(
     outlines: Sequence[Outline], fundamental_frequency: float, reference_load: float
 ) -> dict[str, list[Any]]:
-    """Return the outline of every piece of the unstable set: up its left edge, down its right."""
+    """Return the outline of every piece of the unstable set: up its left edge, down its right.
+
+    The gap between leaves out the top, where a piece only meets the next one or the chart ends.
+    """
+    gap = np.array([np.nan])
     lines = Lines()
     for one in outlines:
-        theta = np.concatenate([one.left, one.right[::-1]]) / fundamental_frequency
-        load = np.concatenate([one.pulsating_loads, one.pulsating_loads[::-1]]) / reference_load
+        theta = np.concatenate([one.left, gap, one.right[::-1]]) / fundamental_frequency
+        load = np.concatenate([one.pulsating_loads, gap, one.pulsating_loads[::-1]])
+        load /= reference_load
         order = f", order {one.order}" if one.order > 1 else ""
         lines.add(theta, load, f"tongue {one.name}{order}" if one.order else "unstable", "edge")
     return lines.columns

@@ -54,7 +54,9 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
             for x, y, name, role in zip(*data.values(), strict=True):
                 look = ROLES[role]
                 if role == "edge":
-                    unstable.append(Region(name, "unstable (Floquet)", "solid", x, y))
+                    inside = np.isfinite(x)
+                    group = "unstable (Floquet)"
+                    unstable.append(Region(name, group, "solid", x[inside], y[inside]))
                     continue
                 style: Any = _STYLES.get(look.dash, "dashdot")
                 series.append(Series(name, look.meaning, style, x, y, look.color))
