@@ -139,7 +139,7 @@ def timed(calls: list[Callable[[], object]], repeats: int) -> list[float]:
     return [1e3 * statistics.median(column) for column in zip(*times, strict=True)]
 
 
-def main(repeats: int) -> float:
+def main(repeats: int = 15) -> float:
     """Print the table and return the ratio plain loop / library of all charts together."""
     axial, follower = rs.lumped(ROTOR, SPIN), rs.lumped(ROTOR, SPIN, tangency=1.0)
 
