@@ -19,7 +19,7 @@ from playwright.sync_api import Browser, sync_playwright
 from tests.browser import find_browser
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = ("explore", "stiffness", "paper")
+PAGES = ("explore", "stiffness", "paper", "lessons")
 SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "phone": (390, 844)}
 FLAGS = [
     "--headless",

@@ -50,6 +50,24 @@ def sound(chart):
     return True
 
 
+@pytest.mark.parametrize("spin", [0.0, 2.0, 4.0])
+def test_labels_of_limits_stay_inside_and_apart(spin):
+    chart = solved({"spin_speed": spin})["load-frequency"]
+    labels = chart.layer("mode").columns
+    low, high = chart.x_range
+    rows = [
+        (float(x), float(y), side)
+        for x, y, name, side in zip(
+            *(labels[key] for key in ("x", "y", "name", "side")), strict=True
+        )
+        if name in ("buckling", "flutter")
+    ]
+    assert rows
+    # a word takes a fifth of a phone's chart
+    assert all(x + 0.2 * (high - low) <= high for x, _, side in rows if side.endswith("right"))
+    assert len({y for _, y, _ in rows}) == len(rows)
+
+
 @pytest.mark.parametrize("preset", [*PRESETS, None])
 @pytest.mark.parametrize("settled", [False, True])
 def test_the_charts_of_every_preset_are_sound(preset, settled):

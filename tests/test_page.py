@@ -462,6 +462,13 @@ def test_the_address_carries_the_state_to_another_page(page, open_page):
     assert agrees(other) == agrees(page)
 
 
+def test_a_name_in_a_notice_is_not_a_subscript(open_page):
+    page = open_page(path="/app?spin_speed=2")
+    notice = page.locator(".notice")
+    assert "spin_speed" in notice.inner_text()
+    assert notice.locator("sub").count() == 0
+
+
 def serious(page):
     """Return the serious and critical findings of axe, in short."""
     from axe_playwright_python.sync_playwright import Axe

@@ -44,9 +44,9 @@ window.rotorstab = (() => {
     paintCharts();
   }
 
-  // "β_d" and its like with a real subscript
+  // "β_d" and its like with a real subscript; names such as spin_speed stay as they are
   function rich(text) {
-    return text.split(/(\p{L}\p{M}?_[\p{L}\d]+)/u).map((part) => {
+    return text.split(/(?<![\p{L}\d_])(\p{L}\p{M}?_[\p{L}\d]+)/u).map((part) => {
       const found = part.match(/^(\p{L}\p{M}?)_([\p{L}\d]+)$/u);
       if (!found) return part;
       const symbol = document.createElement("span");

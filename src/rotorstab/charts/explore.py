@@ -229,6 +229,25 @@ def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float
     ]
 
 
+def _limit_labels(
+    limits: Mapping[str, float], x_range: tuple[float, float], y_range: tuple[float, float]
+) -> list[tuple[float, float, str, str]]:
+    """Return a label at the foot of each limit, inside the chart even on a phone.
+
+    Each has a level of its own, for buckling and flutter loads may nearly coincide.
+    """
+    (left, right), (bottom, top) = x_range, y_range
+    return [
+        (
+            load,
+            bottom + 0.08 * level * (top - bottom),
+            name,
+            "upper right" if load < left + 0.75 * (right - left) else "upper left",
+        )
+        for level, (name, load) in enumerate(limits.items())
+    ]
+
+
 def load_frequency_chart(
     curves: Mapping[str, WhirlCurves],
     static_load: float,
@@ -252,11 +271,10 @@ def load_frequency_chart(
     for role, one in curves.items():
         lines.whirl(one, (role, role), f"{{}}, {role}")
     marks.vertical(static_load, y_range, f"present static load, p̄₀ = {static_load:.4g}", "current")
-    rows = _mode_labels(first, 0, "upper right")
-    for name, load in limits.items():
-        if x_range[0] <= load <= x_range[1]:
-            marks.vertical(load, y_range, f"{name}, p̄ = {load:.5g}", "limit")
-            rows.append((load, y_range[0], name, "upper right"))
+    shown = {name: load for name, load in limits.items() if x_range[0] <= load <= x_range[1]}
+    for name, load in shown.items():
+        marks.vertical(load, y_range, f"{name}, p̄ = {load:.5g}", "limit")
+    rows = _mode_labels(first, 0, "upper right") + _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
