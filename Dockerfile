@@ -18,7 +18,7 @@ LABEL org.opencontainers.image.title="rotorstab" \
       org.opencontainers.image.licenses="BSD-3-Clause"
 COPY --from=build /opt/rotorstab /opt/rotorstab
 WORKDIR /srv/rotorstab
-COPY deploy/start.sh deploy/setup.py deploy/
+COPY deploy deploy
 COPY app app
 # Nothing is written but below /tmp: the root file system may be read-only.
 ENV PATH=/opt/rotorstab/bin:$PATH \

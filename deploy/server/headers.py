@@ -1,0 +1,66 @@
+"""Every reply: security headers, no version of the server, no traceback."""
+
+import functools
+import html
+
+from bokeh.server.connection import ServerConnection
+from tornado.web import RequestHandler
+
+from .settings import RETRY_SECONDS
+
+HEADERS = {
+    # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
+    # components are fetched from blobs.
+    "Content-Security-Policy": (
+        "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
+        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' blob:; "
+        "frame-ancestors 'none'; object-src 'none'; base-uri 'self'; form-action 'self'"
+    ),
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+    "Referrer-Policy": "same-origin",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}
+
+tornado_clear = RequestHandler.clear
+connection_error = ServerConnection.error
+
+
+@functools.wraps(tornado_clear)
+def clear(self):
+    """Reset the reply. Handlers override `set_default_headers`, none overrides this."""
+    tornado_clear(self)
+    self.clear_header("Server")
+    for name, value in HEADERS.items():
+        self.set_header(name, value)
+
+
+def write_error(self, status_code, **kwargs):
+    """Finish with a short page whatever `serve_traceback` says; the log has the rest."""
+    if status_code == 503:
+        self.set_header("Retry-After", str(RETRY_SECONDS))
+        text = f"All places are taken. This page tries again every {RETRY_SECONDS} seconds."
+        refresh = f'<meta http-equiv="refresh" content="{RETRY_SECONDS}">'
+    else:
+        text, refresh = f"{status_code}: {html.escape(self._reason)}", ""
+    self.finish(
+        f'<!doctype html><html lang="en"><meta charset="utf-8">{refresh}'
+        f"<title>{text}</title><h1>{text}</h1></html>"
+    )
+
+
+@functools.wraps(connection_error)
+def error_reply(self, message, text):
+    """Bokeh's reply to a message it failed on, less the traceback and its paths."""
+    reply = connection_error(self, message, "the server could not use this message")
+    reply.content = {"text": reply.content["text"], "traceback": None}
+    return reply
+
+
+def install():
+    """Give every reply of this process its headers and plain errors."""
+    RequestHandler.clear = clear
+    RequestHandler.write_error = write_error
+    ServerConnection.error = error_reply

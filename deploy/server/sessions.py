@@ -1,0 +1,125 @@
+"""Sessions and sockets: counted, and refused before anything is built for them."""
+
+import functools
+
+from bokeh.server.contexts import ApplicationContext
+from bokeh.server.views.session_handler import SessionHandler
+from bokeh.util.token import check_token_signature, get_session_id
+from panel.io.server import DocHandler, WSHandler
+from tornado.web import HTTPError
+
+from .settings import MAX_SESSIONS
+
+open_sockets = set()
+
+page_session = DocHandler.get_session
+create_session_if_needed = ApplicationContext.create_session_if_needed
+session_prepare = SessionHandler.prepare
+socket_prepare = WSHandler.prepare
+socket_connection_close = WSHandler.on_connection_close
+socket_finish = WSHandler.on_finish
+
+
+def documents(application):
+    """Number of documents that the server holds or is building."""
+    return sum(
+        len(context._sessions) + len(context._pending_sessions)
+        for context in application.applications.values()
+    )
+
+
+def known_session(handler, token):
+    """Whether the token's session exists; 403 where the token is not one of this server's."""
+    server = handler.application
+    try:
+        genuine = check_token_signature(
+            token, signed=server.sign_sessions, secret_key=server.secret_key
+        )
+        session_id = get_session_id(token)
+    except Exception:  # garbage raises anything: base64, JSON, Unicode, a missing key
+        genuine = False
+    if not genuine:
+        raise HTTPError(403, reason="Invalid token")
+    return session_id in handler.application_context._sessions
+
+
+@functools.wraps(page_session)
+async def session_or_error(self):
+    """The page's session; 500, not an empty page, where the app's file raised."""
+    session = await page_session(self)
+    if any(handler.failed for handler in self.application_context.application.handlers):
+        raise HTTPError(500)
+    return session
+
+
+@functools.wraps(create_session_if_needed)
+async def create_session(self, session_id, *args, **kwargs):
+    """Bokeh's creation of a session, less the place it keeps for ever after a failure."""
+    try:
+        return await create_session_if_needed(self, session_id, *args, **kwargs)
+    except BaseException:
+        pending = self._pending_sessions.pop(session_id, None)
+        if pending is not None:
+            pending.cancel()
+        raise
+
+
+@functools.wraps(session_prepare)
+async def prepare_page(self):
+    """Refuse a page where all places are taken."""
+    # Bokeh's own arguments let a link choose the session or, through bokeh-absolute-url, the host
+    # that the page's scripts come from. No page of ours uses one.
+    self.request.headers.pop("Bokeh-Session-Id", None)
+    for arguments in (self.request.arguments, self.request.query_arguments):
+        for name in [name for name in arguments if name.startswith("bokeh-")]:
+            del arguments[name]
+    await session_prepare(self)
+    if self.request.method != "HEAD" and documents(self.application) >= MAX_SESSIONS:
+        raise HTTPError(503)
+
+
+@functools.wraps(socket_prepare)
+async def prepare_socket(self):
+    """Refuse a socket from another site, with a false token, or where all places are taken."""
+    await socket_prepare(self)
+    if self._finished:
+        return
+    # Tornado lets Origin pass where it equals Host, before Bokeh's list is asked, and lets a
+    # missing one pass: a name that an attacker points at this server would get in.
+    origins = self.request.headers.get_list("Origin")
+    if len(origins) != 1 or not self.check_origin(origins[0]):
+        raise HTTPError(403, reason="Origin not allowed")
+    protocols = self.request.headers.get("Sec-WebSocket-Protocol", "").split(",")
+    if len(protocols) != 2:
+        raise HTTPError(403, reason="No token")
+    known = known_session(self, protocols[1].strip())
+    if len(open_sockets) >= MAX_SESSIONS:
+        raise HTTPError(503)
+    if not known and documents(self.application) >= MAX_SESSIONS:
+        raise HTTPError(503)
+    open_sockets.add(self)
+
+
+@functools.wraps(socket_connection_close)
+def socket_gone(self):
+    """Free the place of a socket whose connection was lost."""
+    open_sockets.discard(self)
+    socket_connection_close(self)
+
+
+@functools.wraps(socket_finish)
+def socket_refused(self):
+    """Free the place of a socket whose handshake failed; a good one finishes with 101."""
+    if self.get_status() != 101:
+        open_sockets.discard(self)
+    socket_finish(self)
+
+
+def install():
+    """Count and limit the sessions and sockets of this process's server."""
+    DocHandler.get_session = session_or_error
+    ApplicationContext.create_session_if_needed = create_session
+    DocHandler.prepare = prepare_page
+    WSHandler.prepare = prepare_socket
+    WSHandler.on_connection_close = socket_gone
+    WSHandler.on_finish = socket_refused
