@@ -52,6 +52,7 @@ __all__ = [
     "Model",
     "Result",
     "error_table",
+    "load_kinds",
     "map_options",
     "model_of",
     "paper_figure",
@@ -156,23 +157,29 @@ class Model:
         return replace(self, external_damping=0.0, internal_damping=0.0)
 
 
+def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:
+    """Return name, tangency and stiffness law of each set of load–frequency curves."""
+    shares = {"axial": 0.0, "follower": 1.0}
+    if tangency not in shares.values():
+        shares["partly"] = tangency
+    laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
+    if kind != "lumped":
+        laws = ("linear",)  # the distributed shaft has no other
+    return [
+        (name + (" exact" if law == "exact" else ""), share, law)
+        for law in laws
+        for name, share in shares.items()
+    ]
+
+
 @lru_cache(maxsize=128)
 def _load_curves(
     model: Model, spin_speed: float, tangency: float, stiffness: str
 ) -> dict[str, WhirlCurves]:
     loads = _loads(model.rotor, spin_speed)
-    kinds = {"axial": 0.0, "follower": 1.0}
-    if tangency not in kinds.values():
-        kinds["partly"] = tangency
-    laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
-    if model.kind != "lumped":
-        laws = ("linear",)  # the distributed shaft has no other
     return {
-        kind + (" exact" if law == "exact" else ""): load_frequency_curves(
-            model.system(spin_speed, share, law), loads
-        )
-        for law in laws
-        for kind, share in kinds.items()
+        name: load_frequency_curves(model.system(spin_speed, share, law), loads)
+        for name, share, law in load_kinds(model.kind, tangency, stiffness)
     }
 
 

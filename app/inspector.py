@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from rotorstab import (
+    Scales,
     TimeResponse,
     in_bolotin_region,
     initial_conditions,
@@ -23,6 +24,7 @@ from rotorstab import (
 from rotorstab.charts import (
     Chart,
     Layer,
+    in_seconds,
     marker_layer,
     multiplier_chart,
     orbit_chart,
@@ -32,8 +34,10 @@ from rotorstab.charts import (
 from rotorstab.floquet import FloquetSolution, floquet_solution
 from rotorstab.stiffness import largest_exact_load
 
-from .analysis import Model, Result
+from .analysis import Model, Result, model_of
+from .point_words import Pair, describe
 from .state import State
+from .units import shown_scales
 
 __all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
 
@@ -42,7 +46,6 @@ _ROWS = 6000  # most samples of one response; more would only slow the page
 _SAMPLES = (24, 600)  # a period
 _PER_CYCLE = 14  # samples in one cycle of the fastest whirl
 _POINTS = 25  # of the shaft's shape
-_PRECISE = 1e-8  # growth below this is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +62,8 @@ class Inspection:
     motion : dict
         What the animation needs, plain values.
     response : TimeResponse
+    samples : int
+        Of the response, a period.
     """
 
     charts: dict[str, Chart]
@@ -66,16 +71,7 @@ class Inspection:
     sentence: str
     motion: dict[str, Any]
     response: TimeResponse
-
-
-@dataclass(frozen=True)
-class _Pair:
-    """Two whirl modes and how far θ̄ is from the frequency at which they would resonate."""
-
-    name: str
-    frequencies: tuple[float, float]
-    combination: str
-    unstable: bool
+    samples: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +89,7 @@ class _Point:
     periods: int
 
 
-def _nearest_pair(result: Result, excitation: float) -> _Pair | None:
+def _nearest_pair(result: Result, excitation: float) -> Pair | None:
     """Return the pair of first and second modes whose frequencies differ by the nearest to θ̄."""
     table = result.floquet.table
     known = {
@@ -101,7 +97,7 @@ def _nearest_pair(result: Result, excitation: float) -> _Pair | None:
         for name, one in zip(table.modes, table.frequencies, strict=True)
         if name[0] in "12" and len(name) == 2
     }
-    best: _Pair | None = None
+    best: Pair | None = None
     for first, second in combinations(known, 2):
         pair = known[first], known[second]
         gap = abs(pair[0] - pair[1])
@@ -110,7 +106,7 @@ def _nearest_pair(result: Result, excitation: float) -> _Pair | None:
         ):
             row = next(row for row in table if {row.first, row.second} == {first, second})
             word = "difference" if first[-1] == second[-1] else "sum"
-            best = _Pair(row.name, pair, f"{word} of {first} and {second}", row.unstable)
+            best = Pair(row.name, pair, f"{word} of {first} and {second}", row.unstable)
     return best
 
 
@@ -138,8 +134,11 @@ def _floats(values: Any) -> str:
     return b64encode(np.ascontiguousarray(values, "<f4").tobytes()).decode()
 
 
-def _motion(point: _Point, motion: TimeResponse, samples: int) -> dict[str, Any]:
+def _motion(
+    point: _Point, motion: TimeResponse, samples: int, scales: Scales | None
+) -> dict[str, Any]:
     """Return what the animation draws, sizes relative to the largest excursion."""
+    load = 1.0 if scales is None else scales.load
     pole = float(largest_exact_load(point.model.rotor.shear))
     shapes = shaft_shape(
         point.model.rotor, min(point.static, 0.9 * pole), np.eye(2), _POINTS
@@ -153,8 +152,9 @@ def _motion(point: _Point, motion: TimeResponse, samples: int) -> dict[str, Any]
         "period": motion.period,
         "growth": motion.growth_rate,
         "largest": largest if motion.log_scale == 0 else None,
-        "static": point.static,
-        "pulsating": point.pulsating,
+        "static": point.static * load,
+        "pulsating": point.pulsating * load,
+        "load": ["p̄", ""] if scales is None else ["P", " N"],
         "tangency": point.tangency,
         "spin": point.spin_speed,
         "fastest": float(max(point.excitation, _pace_of(motion))),
@@ -169,72 +169,6 @@ def _pace_of(motion: TimeResponse) -> float:
     if total == 0:
         return 0.0
     return float(np.abs(turned) @ weights / total / (motion.time[1] - motion.time[0]))
-
-
-def _quantity(value: float) -> str:
-    return f"{value:.4g}".replace("-", "−")
-
-
-def _pace(growth: float, period: float) -> tuple[str, str]:
-    """Return the name and the value of doubling or halving."""
-    time = math.log(2) / abs(growth)
-    name = "Doubles in" if growth > 0 else "Halves in"
-    return name, f"{time / period:.3g} periods (t̄ = {_quantity(time)})"
-
-
-def _describe(
-    state: State, floquet: FloquetSolution, bolotin: bool, pair: _Pair | None, result: Result
-) -> tuple[list[list[str]], str]:
-    """Return the facts and the sentence of one point."""
-    frequency = result.numbers["fundamental"]
-    period = 2 * np.pi / (state.marker_frequency * frequency)
-    growth = float(floquet.growth_rate)
-    settled = max(_PRECISE, 3 * float(floquet.error))
-    unstable = growth > settled
-    decays = growth < -settled
-    verdict = "unstable" if unstable else "stable: it decays" if decays else "stable"
-    region = "inside a Bolotin region" if bolotin else "outside every Bolotin region"
-    facts = [["Floquet", verdict], ["Bolotin", region]]
-    outside = int((np.abs(floquet.multipliers) > 1 + 1e-6).sum())
-    sentence = (
-        f"At θ/ωₙ = {state.marker_frequency:.3f} and β_d = {state.marker_factor:.3f} "
-        f"the rotor is {'unstable' if unstable else 'stable'} (Floquet"
-    )
-    if unstable or decays:
-        name, pace = _pace(growth, period)
-        facts += [
-            ["Growth rate σ̄", _quantity(growth)],
-            ["σ̄T a period", _quantity(growth * period)],
-            [name, pace],
-        ]
-        sentence += f": the motion {name[0].lower()}{name[1:]} {pace.split(' (')[0]})"
-    else:
-        facts += [["Growth rate σ̄", "0"], ["Doubles in", "never"]]
-        sentence += ": the motion neither grows nor dies)"
-    lies = "multipliers lie" if outside > 1 else "multiplier lies"
-    sentence += f"; {outside or 'no'} {lies} outside the unit circle. "
-    if bolotin == unstable:
-        sentence += f"Bolotin agrees: the point is {region}."
-    elif bolotin:
-        sentence += (
-            "Bolotin’s method draws a region here, but no multiplier has left the unit circle."
-        )
-    else:
-        sentence += "Bolotin’s method draws no region here: it misses this tongue."
-    if pair is not None:
-        centre = abs(pair.frequencies[0] - pair.frequencies[1]) / frequency
-        off = state.marker_frequency - centre
-        facts.append(["Nearest pair", f"{pair.name} at θ/ωₙ = {centre:.3f}"])
-        facts.append(["θ above it by", f"{off:+.3f}".replace("-", "−")])
-        word = "makes a tongue" if pair.unstable else "makes no tongue under this load"
-        sentence += f" Nearest is the {pair.combination}, θ/ωₙ = {centre:.3f}, which {word}"
-        excitation = state.marker_frequency * frequency
-        tongues = result.floquet.table.tongues
-        if not pair.unstable and tongues:
-            tongue = min(tongues, key=lambda row: abs(row.centre - excitation))
-            sentence += f"; the nearest tongue is {tongue.name} at {tongue.centre / frequency:.3f}"
-        sentence += "."
-    return facts, sentence
 
 
 @lru_cache(maxsize=64)
@@ -277,9 +211,7 @@ def inspect(state: State, result: Result) -> Inspection:
     ValueError
         With words for the page, where this point has no answer.
     """
-    model = Model(
-        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
-    )
+    model = model_of(state)
     reference = result.numbers["reference"]
     point = _Point(
         model=model,
@@ -304,17 +236,22 @@ def inspect(state: State, result: Result) -> Inspection:
     plain = model.undamped().system(point.spin_speed, point.tangency)
     bolotin = bool(in_bolotin_region(plain, point.static, point.pulsating, point.excitation))
     pair = _nearest_pair(result, point.excitation)
-    facts, sentence = _describe(state, floquet, bolotin, pair, result)
+    facts, sentence = describe(state, floquet, bolotin, pair, result)
     shown = round(motion.time[-1] / motion.period)
     if shown < point.periods:
         facts.append(["Periods shown", f"{shown}: the whirl is fast against the load"])
     grown = motion.growth_rate * float(motion.time[-1]) / math.log(10)
     if grown > 2:
         facts.append(["Grows over the stretch", f"by 10 to the power {grown:.1f}"])
+    scales = shown_scales(state)
+    if scales is not None:
+        seconds = motion.period / scales.frequency
+        charts = charts | {"response": in_seconds(charts["response"], seconds)}
     return Inspection(
         charts=charts,
         facts=facts,
         sentence=sentence,
-        motion=_motion(point, motion, samples),
+        motion=_motion(point, motion, samples, scales),
         response=motion,
+        samples=samples,
     )

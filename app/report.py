@@ -7,7 +7,7 @@ from html import escape
 from typing import Any
 
 from .state import SYMBOLS, State
-from .units import key_numbers, named_inputs
+from .units import key_numbers, named_inputs, shown_scales
 
 __all__ = ["report_html"]
 
@@ -69,8 +69,9 @@ def report_html(
         for name, value in named_inputs(state.inputs()).items()
         if not name.startswith(_LEFT_OUT)
     ]
-    si = state.units == "SI"
-    shown = key_numbers(state, numbers) if si else numbers
+    scales = shown_scales(state)
+    si = scales is not None
+    shown = numbers if scales is None else key_numbers(scales, numbers)
     suffix = (" [N]", " [Hz]") if si else ("", "")
     keys = [
         (words_.replace("\u0304", "") + suffix[name == "fundamental"], _shown(shown[name]))

@@ -24,7 +24,7 @@ from .report import report_html
 from .share import describe_problems, from_arguments, to_query
 from .snippet import python_snippet
 from .state import State
-from .units import displayed, named_inputs
+from .units import displayed, named_inputs, shown_scales
 from .verdict import verdict
 
 __all__ = ["Session"]
@@ -87,7 +87,7 @@ class Session:
         elif kind == "export":
             reply = self.export(message)
         elif kind == "python":
-            reply = Reply({"python": python_snippet(self.state)})
+            reply = self.python()
         elif kind == "report":
             reply = self.report()
         else:
@@ -130,6 +130,13 @@ class Session:
             return Reply({"told": "no such chart"})
         return Reply({"told": f"making {name} …"}, later, lambda data: _file(name, kind, data))
 
+    def python(self) -> Reply:
+        """Return the view as a program."""
+        try:
+            return Reply({"python": python_snippet(self.state)})
+        except ValueError as error:
+            return Reply({"told": str(error)})
+
     def report(self) -> Reply:
         """Start making the one-page report of the Explore view."""
         try:
@@ -144,7 +151,7 @@ class Session:
             )
             for key, chart in charts.items()
         }
-        words = verdict(result.floquet)
+        words = verdict(result.floquet, shown_scales(self.state))
         # the state of now, not of when the pictures are ready
         page = partial(
             report_html,

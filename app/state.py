@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import param
@@ -181,7 +182,8 @@ class State(param.Parameterized):
         default="lumped",
         objects=["lumped", "finite elements"],
         label="Model",
-        doc="The paper's two degrees of freedom, or Timoshenko elements reduced to 4 (r² = Φ/3).",
+        doc="The paper's two degrees of freedom, or Timoshenko elements reduced to 4 "
+        "(r² = Φ/3, or r of the shaft in SI where that gives Φ).",
     )
     show_growth = param.Boolean(
         default=True,
@@ -335,15 +337,35 @@ class State(param.Parameterized):
         self.param.update(**{name: State.param[name].default for name in _NAMES})
 
     def rotor(self) -> ShaftDisk:
-        """Return the rotor of the present inputs."""
+        """Return the rotor of the present inputs; of slenderness only finite elements know."""
+        # r of the base case in proportion to √Φ, as for a solid shaft of one material
+        slenderness = BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear)
+        with suppress(ValueError):
+            shaft = self.si_rotor()[0]
+            if math.isclose(shaft.shear, self.shear):
+                slenderness = shaft.slenderness
         return ShaftDisk(
             shear=self.shear,
             disk_mass=self.disk_mass,
             diametral_inertia=self.diametral_inertia,
             polar_inertia=self.polar_inertia,
-            # r of the base case in proportion to √Φ, as for a solid shaft of one material
-            slenderness=BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear),
+            slenderness=slenderness,
         )
+
+    def si_data(self) -> dict[str, float]:
+        """Return the shaft and the disk in SI, as arguments of `ShaftDisk.from_si`."""
+        known = MATERIALS.get(self.material)
+        return {
+            "length": self.shaft_length,
+            "diameter": self.shaft_diameter / 1e3,
+            "youngs_modulus": known.youngs_modulus if known else self.youngs_modulus * 1e9,
+            "shear_modulus": known.shear_modulus if known else self.shear_modulus * 1e9,
+            "density": known.density if known else self.density,
+            "shear_coefficient": known.shear_coefficient if known else self.shear_coefficient,
+            "disk_mass": self.si_disk_mass,
+            "diametral_inertia": self.si_diametral_inertia,
+            "polar_inertia": self.si_polar_inertia,
+        }
 
     def si_rotor(self) -> tuple[ShaftDisk, Scales]:
         """Return the rotor of the SI data, and the scales of its shaft.
@@ -353,19 +375,8 @@ class State(param.Parameterized):
         ValueError
             If the shaft is too thick for its length to be one.
         """
-        known = MATERIALS.get(self.material)
         try:
-            return ShaftDisk.from_si(
-                length=self.shaft_length,
-                diameter=self.shaft_diameter / 1e3,
-                youngs_modulus=known.youngs_modulus if known else self.youngs_modulus * 1e9,
-                shear_modulus=known.shear_modulus if known else self.shear_modulus * 1e9,
-                density=known.density if known else self.density,
-                shear_coefficient=known.shear_coefficient if known else self.shear_coefficient,
-                disk_mass=self.si_disk_mass,
-                diametral_inertia=self.si_diametral_inertia,
-                polar_inertia=self.si_polar_inertia,
-            )
+            return ShaftDisk.from_si(**self.si_data())
         except ValueError:
             raise ValueError("this shaft is too thick for its length") from None
 

@@ -11,7 +11,15 @@ from rotorstab.charts import Chart, chart_factors, in_si
 
 from .state import SI_INPUTS, SYMBOLS, State
 
-__all__ = ["chart_in_si", "displayed", "key_numbers", "named_inputs", "shaft_words", "si_answer"]
+__all__ = [
+    "chart_in_si",
+    "displayed",
+    "key_numbers",
+    "named_inputs",
+    "shaft_words",
+    "shown_scales",
+    "si_answer",
+]
 
 
 def chart_in_si(chart: Chart, scales: Scales, numbers: Mapping[str, Any]) -> Chart:
@@ -19,22 +27,26 @@ def chart_in_si(chart: Chart, scales: Scales, numbers: Mapping[str, Any]) -> Cha
     return in_si(chart, scales, numbers["fundamental"], numbers["reference"])
 
 
+def shown_scales(state: State) -> Scales | None:
+    """Return the scales of the units the user chose, or None for the paper's numbers."""
+    return state.scales() if state.units == "SI" else None
+
+
 def displayed(
     charts: Mapping[str, Chart], state: State, numbers: Mapping[str, Any]
 ) -> dict[str, Chart]:
     """Return the charts in the units the user chose."""
-    if state.units != "SI":
+    scales = shown_scales(state)
+    if scales is None:
         return dict(charts)
-    scales = state.scales()
     return {key: chart_in_si(chart, scales, numbers) for key, chart in charts.items()}
 
 
-def key_numbers(state: State, numbers: Mapping[str, Any]) -> dict[str, Any]:
+def key_numbers(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, Any]:
     """Return the key numbers in SI: loads [N], frequencies [Hz], growth of a whirl [1/s].
 
     `whirl` holds [Hz, 1/s] by mode, everything else one number or None.
     """
-    scales = state.scales()
     hertz = scales.frequency / (2 * math.pi)
     loads = {
         name: None if numbers[name] is None else numbers[name] * scales.load
@@ -72,7 +84,7 @@ def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -
         key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
         for key in keys
     }
-    return {"numbers": key_numbers(state, numbers), "hints": hints, "factors": factors}
+    return {"numbers": key_numbers(scales, numbers), "hints": hints, "factors": factors}
 
 
 def shaft_words(state: State) -> dict[str, Any]:

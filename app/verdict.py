@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rotorstab import Resonance
+from rotorstab import Resonance, Scales
 
 from .analysis import FloquetAnswer
 
@@ -21,33 +21,44 @@ def _percent(share: float) -> str:
     return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
 
 
-def _tongue(one: Resonance, frequency: float) -> str:
+def _newtons(load: float, scales: Scales | None) -> str:
+    """Return a pulsating load in words, where it is wanted."""
+    return "" if scales is None else f" (P_t = {load * scales.load:.4g} N)"
+
+
+def _tongue(one: Resonance, frequency: float, scales: Scales | None) -> str:
+    if scales is not None:
+        hertz = scales.frequency / (2 * math.pi)
+        return f"{one.name} at {one.centre * hertz:.4g} Hz ({2 * one.half_width * hertz:.3g} wide)"
     centre = f"{one.name} at θ/ωₙ = {one.centre / frequency:.3f}"
     return f"{centre} ({2 * one.half_width / frequency:.3f} wide)"
 
 
-def _tongues(answer: FloquetAnswer) -> str:
+def _tongues(answer: FloquetAnswer, scales: Scales | None) -> str:
     low, high = answer.frequency_range
     frequency = answer.fundamental_frequency
     inside = [one for one in answer.table.tongues if low <= one.centre / frequency <= high]
     if not inside:
         return "No tongue of first order starts in this window."
-    named = "; ".join(_tongue(one, frequency) for one in inside[:_MOST])
+    named = "; ".join(_tongue(one, frequency, scales) for one in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
     word = "tongue" if len(inside) == 1 else "tongues"
+    load = f"β_d = 0.1{_newtons(0.1 * answer.reference_load, scales)}"
     return (
-        f"To first order in the load, {len(inside)} {word} in this window at β_d = 0.1: "
+        f"To first order in the load, {len(inside)} {word} in this window at {load}: "
         f"{named}{more}; lines without a name are of higher order."
     )
 
 
-def _margin(answer: FloquetAnswer) -> str:
+def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
     table = answer.table
     if table.mean_growth > 1e-9:
-        return (
-            "The rotor is unstable without any pulsation: its steady motion grows at "
-            f"σ̄ = {table.mean_growth:.3g}."
+        rate = (
+            f"σ̄ = {table.mean_growth:.3g}"
+            if scales is None
+            else f"σ = {table.mean_growth * scales.frequency:.3g} per second"
         )
+        return f"The rotor is unstable without any pulsation: its steady motion grows at {rate}."
     first = min(table, key=lambda row: row.threshold)
     if not math.isfinite(first.threshold):
         return "No pulsation, however large, makes two modes resonate."
@@ -56,9 +67,9 @@ def _margin(answer: FloquetAnswer) -> str:
             "Without damping any pulsation, however small, suffices at a first-order "
             "tongue’s centre."
         )
+    factor = f"β_d = {first.threshold / answer.reference_load:.3f}"
     return (
-        f"Damping holds up to β_d = {first.threshold / answer.reference_load:.3f}; "
-        f"{first.name} goes first."
+        f"Damping holds up to {factor}{_newtons(first.threshold, scales)}; {first.name} goes first."
     )
 
 
@@ -73,6 +84,9 @@ def _comparison(answer: FloquetAnswer) -> str:
     return text + "."
 
 
-def verdict(answer: FloquetAnswer) -> str:
-    """Return the verdict on one chart, in three or four sentences."""
-    return " ".join((_tongues(answer), _margin(answer), _comparison(answer)))
+def verdict(answer: FloquetAnswer, scales: Scales | None = None) -> str:
+    """Return the verdict on one chart, in three or four sentences.
+
+    With `scales` frequencies are in Hz, growth is per second and loads are in N beside β_d.
+    """
+    return " ".join((_tongues(answer, scales), _margin(answer, scales), _comparison(answer)))

@@ -7,7 +7,11 @@ import numpy as np
 import pytest
 
 from app.analysis import CHARTS, solve
+from app.inspector import inspect
+from app.point_words import Units
+from app.report import report_html
 from app.state import State
+from app.verdict import verdict
 from rotorstab import TABLE_1_SI, ShaftDisk, plots
 from rotorstab.charts import axis_symbol, chart_factors, chart_figure, in_si, multiplier_chart
 from rotorstab.export import figure_csv
@@ -114,3 +118,94 @@ def test_a_table_of_a_chart_in_si_names_its_units(result):
     assert "x = Ω [rpm], y = ω/2π [Hz]" in text
     row = next(line for line in text.splitlines() if "present spin speed" in line)
     assert float(re.split(",", row)[-2]) == pytest.approx(1000)
+
+
+def numbers_of(text, pattern):
+    return [float(one.replace("−", "-")) for one in re.findall(pattern, text)]
+
+
+def test_the_verdict_names_tongues_in_hertz_and_loads_in_newtons(result):
+    table = result.floquet.table
+    plain, words = verdict(result.floquet), verdict(result.floquet, SCALES)
+    assert "Hz" not in plain
+    assert "\u0304" not in words
+    assert "θ/ωₙ" not in words
+    low, high = result.floquet.frequency_range
+    inside = [
+        one.centre * HERTZ
+        for one in table.tongues
+        if low <= one.centre / result.numbers["fundamental"] <= high
+    ]
+    assert inside
+    assert numbers_of(words, r"at ([\d.]+) Hz") == pytest.approx(inside[:6], rel=1e-3)
+    load = 0.1 * result.numbers["reference"] * SCALES.load
+    assert numbers_of(words, r"β_d = 0.1 \(P_t = ([\d.]+) N\)") == pytest.approx([load], rel=1e-3)
+
+
+def test_the_verdict_gives_thresholds_and_growth_in_si():
+    damped = table_1(external_damping=0.02).floquet
+    first = min(damped.table, key=lambda row: row.threshold)
+    found = numbers_of(verdict(damped, SCALES), r"up to β_d = [\d.]+ \(P_t = ([\d.]+) N\)")
+    assert found == pytest.approx([first.threshold * SCALES.load], rel=1e-3)
+    whirling = table_1(internal_damping=0.2, spin_speed=4.0).floquet
+    assert whirling.table.mean_growth > 0
+    found = numbers_of(verdict(whirling, SCALES), r"σ = ([\d.e+-]+) per second")
+    assert found == pytest.approx([whirling.table.mean_growth * SCALES.frequency], rel=1e-2)
+
+
+POINT = {"marker": True, "marker_frequency": 2.0, "marker_factor": 0.4}
+
+
+@pytest.mark.parametrize("extra", [{}, {"external_damping": 0.15}, {"marker_factor": 0.0}])
+def test_a_point_is_told_in_hertz_newtons_and_seconds(extra):
+    state = State()
+    state.apply_preset("Table 1, 1000 rpm")
+    assert state.change(POINT | extra) == {}
+    plain = inspect(state, solve(state))
+    state.change({"units": "SI"})
+    result = solve(state)
+    si = inspect(state, result)
+    facts, old = dict(si.facts), dict(plain.facts)
+    texts = [si.sentence, *facts, *facts.values(), si.charts["response"].x_label]
+    assert not [text for text in texts if "\u0304" in text or "θ/ωₙ" in text]
+    excitation = state.marker_frequency * result.numbers["fundamental"]
+    assert numbers_of(si.sentence, r"At θ/2π = ([\d.]+) Hz") == pytest.approx(
+        [excitation * HERTZ], rel=1e-3
+    )
+    load = state.marker_factor * result.numbers["reference"] * SCALES.load
+    assert numbers_of(si.sentence, r"P_t = ([\d.]+) N") == pytest.approx([load], rel=1e-3)
+    period = numbers_of(facts["Period T of the load"], r"([\d.]+) s")
+    assert period == pytest.approx([1 / (excitation * HERTZ)], rel=1e-3)
+    for name, factor, unit in (("Doubles in", 1, "s"), ("Halves in", 1, "s")):
+        if "periods" in old.get(name, ""):
+            (count,) = numbers_of(facts[name], r"([\d.e+-]+) periods")
+            assert numbers_of(facts[name], rf"\(([\d.]+) {unit}\)") == pytest.approx(
+                [factor * count * period[0]], rel=6e-3
+            )
+    if "1/s" in facts["Growth rate σ"]:
+        (growth,) = numbers_of(facts["Growth rate σ"], r"([−\d.e]+) 1/s")
+        (before,) = numbers_of(old["Growth rate σ̄"], r"([−\d.e]+)")
+        assert growth == pytest.approx(before * SCALES.frequency, rel=1e-3)
+    # the same motion, over seconds
+    seconds, periods = (one.charts["response"].layer("motion").columns for one in (si, plain))
+    for new, was in zip(seconds["xs"], periods["xs"], strict=True):
+        np.testing.assert_allclose(new, was * 2 * math.pi / excitation / SCALES.frequency)
+    assert si.motion["load"] == ["P", " N"]
+    assert si.motion["static"] == pytest.approx(plain.motion["static"] * SCALES.load)
+    assert plots.hover_names(si.charts["response"])[0] == "t [s]"
+
+
+def test_units_of_a_difference_keep_its_sign():
+    assert Units(1.5, 1.0, SCALES).offset(-0.1) == f"−{0.15 * HERTZ:.3g} Hz"
+    assert Units(1.5, 1.0, None).offset(-0.1) == "−0.100"
+
+
+def test_the_report_in_si_holds_the_verdict_in_si(result):
+    state = State()
+    state.apply_preset("Table 1, 1000 rpm")
+    state.change({"units": "SI"})
+    words = verdict(result.floquet, SCALES)
+    page = report_html(state, result.numbers, words, {"a": "<svg></svg>"}, "v=1")
+    assert words in page
+    buckling = result.numbers["buckling"] * SCALES.load
+    assert f"{buckling:.6g}" in page

@@ -94,7 +94,8 @@ window.rotorstab.shaft = (() => {
     const tilt = data.tangency * slope;
     arrow(pen, tip + 9 * Math.cos(tilt), y + 9 * Math.sin(tilt), tilt, 86 * load / largest, accent);
     pen.fillStyle = soft; pen.font = "12px system-ui, sans-serif";
-    pen.fillText(`load p̄ = ${load.toFixed(2)}`, 40, 16);
+    const [symbol, unit] = data.load;
+    pen.fillText(`load ${symbol} = ${(unit ? load.toPrecision(4) : load.toFixed(2)).replace("-", "−")}${unit}`, 40, 16);
     pen.textAlign = "right"; pen.fillText(`t/T = ${(now.time / data.period).toFixed(2)}`, width - 8, 16); pen.textAlign = "left";
     pen.fillText("plane of V", 40, height - 6);
   }

@@ -15,7 +15,7 @@ from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
 from ..pins import MOST_PINS, Pin, differences, ghosted, pin
 from ..rotor_file import read_rotor_file, write_rotor_file
 from ..state import SYMBOLS, State
-from ..units import displayed, shaft_words, si_answer
+from ..units import displayed, shaft_words, shown_scales, si_answer
 from ..verdict import verdict
 from .base import FRAGMENTS, Page, Reply
 
@@ -136,7 +136,7 @@ class Explore(Page):
         result = solve(state, settled)
         answer = {
             "numbers": result.numbers,
-            "verdict": verdict(result.floquet),
+            "verdict": verdict(result.floquet, shown_scales(state)),
             "settled": settled,
             "inspector": None,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,

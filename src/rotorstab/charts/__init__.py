@@ -15,7 +15,7 @@ from .inspector import (
 from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role, axis_symbol
-from .units import chart_factors, in_si
+from .units import chart_factors, in_seconds, in_si
 
 __all__ = [
     "ROLES",
@@ -28,6 +28,7 @@ __all__ = [
     "chart_factors",
     "chart_figure",
     "error_loads",
+    "in_seconds",
     "in_si",
     "instability_chart",
     "load_frequency_chart",

@@ -13,7 +13,7 @@ import numpy as np
 from ..rotor import Scales
 from .structure import Chart, Layer
 
-__all__ = ["chart_factors", "in_si"]
+__all__ = ["chart_factors", "in_seconds", "in_si"]
 
 _TURN = 2 * math.pi
 
@@ -91,6 +91,30 @@ def in_si(
         x_range=(chart.x_range[0] * x.factor, chart.x_range[1] * x.factor),
         y_range=(chart.y_range[0] * y.factor, chart.y_range[1] * y.factor),
         layers=tuple(map(convert.layer, chart.layers)),
+        units="SI",
+    )
+
+
+def in_seconds(chart: Chart, period: float) -> Chart:
+    """Return the chart of a response with its abscissa in seconds.
+
+    Parameters
+    ----------
+    chart : Chart
+        Of `response_chart`, over t/T.
+    period : float
+        T [s].
+    """
+    layers = tuple(
+        replace(layer, columns={**layer.columns, "xs": [x * period for x in layer.columns["xs"]]})
+        for layer in chart.layers
+    )
+    low, high = chart.x_range
+    return replace(
+        chart,
+        x_label="time t [s]",
+        x_range=(low * period, high * period),
+        layers=layers,
         units="SI",
     )
 
