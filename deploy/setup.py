@@ -6,9 +6,20 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from deploy.server import addresses, headers, health, logs, sessions, settings
+from deploy.server import (
+    addresses,
+    faults,
+    headers,
+    health,
+    hosts,
+    limits,
+    logs,
+    messages,
+    sessions,
+    settings,
+)
 
-for part in (logs, headers, addresses, sessions, health):
+for part in (logs, faults, headers, hosts, addresses, limits, messages, sessions, health):
     part.install()
 
 if settings.LESSONS:

@@ -33,6 +33,6 @@ echo "rotorstab: http://$shown:$port/ (Ctrl-C stops it)"
 # One process a worker: with --num-procs a stopped parent leaves its children serving.
 exec "$python" -m panel serve "$app" \
     --address "$address" --port "$port" --setup "$here/setup.py" --liveness \
-    --websocket-max-message-size 1048576 --session-token-expiration 3600 \
+    --websocket-max-message-size 262144 --session-token-expiration 3600 \
     --keep-alive 20000 --unused-session-lifetime 60000 --check-unused-sessions 15000 \
     "$@"

@@ -1,11 +1,11 @@
 """Every reply: security headers, no version of the server, no traceback."""
 
 import functools
-import html
 
 from bokeh.server.connection import ServerConnection
 from tornado.web import RequestHandler
 
+from .pages import error_page
 from .settings import RETRY_SECONDS
 
 HEADERS = {
@@ -41,14 +41,9 @@ def write_error(self, status_code, **kwargs):
     """Finish with a short page whatever `serve_traceback` says; the log has the rest."""
     if status_code == 503:
         self.set_header("Retry-After", str(RETRY_SECONDS))
-        text = f"All places are taken. This page tries again every {RETRY_SECONDS} seconds."
-        refresh = f'<meta http-equiv="refresh" content="{RETRY_SECONDS}">'
-    else:
-        text, refresh = f"{status_code}: {html.escape(self._reason)}", ""
-    self.finish(
-        f'<!doctype html><html lang="en"><meta charset="utf-8">{refresh}'
-        f"<title>{text}</title><h1>{text}</h1></html>"
-    )
+    self.set_header("Content-Type", "text/html; charset=UTF-8")
+    self.set_header("Cache-Control", "no-store")
+    self.finish(error_page(status_code))
 
 
 @functools.wraps(connection_error)

@@ -8,6 +8,7 @@ from bokeh.util.token import check_token_signature, get_session_id
 from panel.io.server import DocHandler, WSHandler
 from tornado.web import HTTPError
 
+from .faults import contain
 from .settings import MAX_SESSIONS
 
 open_sockets = set()
@@ -56,7 +57,7 @@ async def session_or_error(self):
 async def create_session(self, session_id, *args, **kwargs):
     """Bokeh's creation of a session, less the place it keeps for ever after a failure."""
     try:
-        return await create_session_if_needed(self, session_id, *args, **kwargs)
+        return await contain(create_session_if_needed(self, session_id, *args, **kwargs))
     except BaseException:
         pending = self._pending_sessions.pop(session_id, None)
         if pending is not None:

@@ -1,0 +1,95 @@
+"""Limits of one client: messages a second, refused messages, silence, sizes of requests.
+
+Clocks are monotonic: a jump of the machine's time changes nothing.
+"""
+
+import asyncio
+import functools
+import logging
+import time
+
+import bokeh.server.server as bokeh_server
+from bokeh.server.views.ws import WSHandler
+
+log = logging.getLogger("rotorstab.limits")
+
+RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
+PATIENCE = 15.0  # s above the rate, then the socket is closed
+REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
+FRAGMENTS = 3  # of one message
+PING_SECONDS = 20  # a client that answers no ping within it is gone
+LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
+LARGEST_BODY = 65_536  # bytes; no address takes a body
+IDLE_SECONDS = 60  # for the headers of a request to come
+
+on_message = WSHandler.on_message
+http_server = bokeh_server.HTTPServer
+
+
+class Bucket:
+    """A token bucket on a clock that never jumps."""
+
+    def __init__(self, rate, burst, clock=time.monotonic):
+        self._rate, self._burst, self._clock = rate, burst, clock
+        self._left, self._last = float(burst), clock()
+
+    def wait(self, amount=1.0):
+        """Take an amount; return the seconds until it is earned, 0 where it was there."""
+        now = self._clock()
+        self._left = min(self._burst, self._left + (now - self._last) * self._rate) - amount
+        self._last = now
+        return max(0.0, -self._left / self._rate)
+
+
+def count_refused(socket, kind):
+    """Log the first refused message of a socket; close one that goes on with them."""
+    if not hasattr(socket, "refused"):
+        socket.refused = Bucket(REFUSED_RATE, MOST_REFUSED)
+        log.warning("refused a %s; more of this socket are not logged", kind)
+    if socket.refused.wait() > 0:
+        close(socket, "too many refused messages")
+
+
+def close(socket, why):
+    """Close a socket once, with a logged line."""
+    if not is_closing(socket):
+        log.warning("closed a socket: %s", why)
+        socket.close(1008, why)
+
+
+def is_closing(socket):
+    """Whether a socket is closed or about to be."""
+    return socket.ws_connection is None or socket.ws_connection.is_closing()
+
+
+@functools.wraps(on_message)
+async def paced(self, fragment):
+    """Handle a fragment; a sender above the rate waits, and the network holds the rest back."""
+    if is_closing(self):
+        return
+    if not hasattr(self, "pace"):
+        self.pace, self.hurried = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
+    wait = self.pace.wait()
+    if wait > 0:
+        now = time.monotonic()
+        self.hurried = self.hurried or now
+        if now - self.hurried > PATIENCE:
+            close(self, "too many messages")
+            return
+        await asyncio.sleep(wait)
+    else:
+        self.hurried = None
+    await on_message(self, fragment)
+
+
+def install():
+    """Bound what a client may send to this process's server."""
+    WSHandler.on_message = paced
+    # Bokeh pings and never looks for the answer; Tornado does
+    WSHandler.ping_interval = WSHandler.ping_timeout = PING_SECONDS
+    bokeh_server.HTTPServer = functools.partial(
+        http_server,
+        max_header_size=LARGEST_HEADER,
+        max_body_size=LARGEST_BODY,
+        idle_connection_timeout=IDLE_SECONDS,
+    )

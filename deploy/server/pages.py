@@ -1,0 +1,64 @@
+"""Pages of errors: one look, light and dark, nothing fetched, nothing told of the server."""
+
+import html
+from http import HTTPStatus
+
+from .settings import RETRY_SECONDS
+
+STYLE = """
+:root { color-scheme: light dark; --ink: #1c2430; --quiet: #5b6675; --paper: #f6f7f9;
+  --card: #fff; --line: #d9dee5; --link: #1857a4 }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6eaf0; --quiet: #a3aebd;
+  --paper: #12161c; --card: #1b212a; --line: #333c48; --link: #8ab8f5 } }
+body { margin: 0; min-height: 100vh; display: grid; place-items: center; background: var(--paper);
+  color: var(--ink); font: 1rem/1.55 system-ui, sans-serif }
+main { box-sizing: border-box; width: min(32rem, 100vw - 2rem); padding: 2rem;
+  background: var(--card); border: 1px solid var(--line); border-radius: .75rem }
+p { margin: 0 0 .75rem } p:last-child { margin: 0 } .name, .code { color: var(--quiet) }
+h1 { margin: 0 0 .75rem; font-size: 1.35rem; line-height: 1.3 }
+a { color: var(--link) }
+"""
+
+WORDS = {
+    403: ("This is not allowed here", ("The server did not accept this request.",)),
+    404: ("There is no such page", ("The address may be mistyped.",)),
+    414: (
+        "This address is too long",
+        ("Its parameters cannot be read. The dashboard opens with its own.",),
+    ),
+    421: (
+        "This server does not go by that name",
+        (
+            "Use the address that you were given.",
+            "Whoever runs the server can add the name to ROTORSTAB_ORIGINS.",
+        ),
+    ),
+    500: ("Something went wrong", ("The server has noted it. Reload the page to try again.",)),
+    503: (
+        "All places are taken",
+        (
+            f"This page tries again by itself every {RETRY_SECONDS} seconds; you need do nothing.",
+            "A place is free again when somebody closes their tab.",
+        ),
+    ),
+}
+LINKED = (403, 404, 414, 500)
+
+
+def error_page(status):
+    """The whole page of a status."""
+    try:
+        phrase = HTTPStatus(status).phrase
+    except ValueError:
+        phrase = "Error"
+    title, words = WORDS.get(status, (phrase, ()))
+    again = f'<meta http-equiv="refresh" content="{RETRY_SECONDS}">' if status == 503 else ""
+    link = '<p><a href="/">Open the dashboard</a></p>' if status in LINKED else ""
+    text = "".join(f"<p>{html.escape(one)}</p>" for one in words)
+    return (
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8">{again}'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{html.escape(title)} — rotorstab</title><style>{STYLE}</style></head>"
+        f'<body><main><p class="name">rotorstab</p><h1>{html.escape(title)}</h1>{text}{link}'
+        f'<p class="code">{status} {html.escape(phrase)}</p></main></body></html>'
+    )
