@@ -9,20 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import holoviews as hv
 import numpy as np
 from bokeh.models import HoverTool, Range1d
 
 from rotorstab import plots
 from rotorstab.charts import Chart, Layer
 
+from .drawing import draw
 from .overlay import overlay
 
 __all__ = ["LiveChart"]
-
-hv.extension("bokeh")
-# WebGL without a GPU costs 7 → 64 ms a paint and draws rough lines
-_RENDERER = hv.renderer("bokeh").instance(mode="server", webgl=False)
 
 
 def _same(new: Any, old: Any) -> bool:
@@ -40,30 +36,16 @@ class LiveChart:
     """One Bokeh figure, drawn by HoloViews, that follows a sequence of charts."""
 
     def __init__(self, chart: Chart) -> None:
-        plot = _RENDERER.get_plot(plots.element(chart))
-        self.figure = plot.state
-        self.figure.name = chart.key
-        self._plot = plot  # keeps HoloViews' handles alive
-        subplots = list(plot.subplots.values())
-        self.sources = {
-            layer.label: subplot.handles["source"]
-            for layer, subplot in zip(chart.layers, subplots, strict=True)
-        }
-        self.renderers = {
-            layer.label: subplot.handles["glyph_renderer"]
-            for layer, subplot in zip(chart.layers, subplots, strict=True)
-        }
-        self._colours = {
-            layer.label: subplot.handles["color_mapper"]
-            for layer, subplot in zip(chart.layers, subplots, strict=True)
-            if layer.kind == "map" and "color_mapper" in subplot.handles
-        }
-        self._chart = chart
+        drawing = draw(chart)
+        self.figure = drawing.figure
+        self.sources, self.renderers = drawing.sources, drawing.renderers
+        self._colours = drawing.colours
+        self._chart = drawing.chart
         self._drawn: dict[str, dict[str, Any]] = {}
         self._added: set[str] = set()
         self._ranges = {
-            "x": (self.figure.x_range, chart.x_range),
-            "y": (self.figure.y_range, chart.y_range),
+            "x": (self.figure.x_range, drawing.chart.x_range),
+            "y": (self.figure.y_range, drawing.chart.y_range),
         }
         self.show(chart)
 

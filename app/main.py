@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 
 import panel as pn
@@ -96,4 +97,6 @@ def build() -> pn.Template:
     return template
 
 
-build().servable()
+# Bokeh walks every model once a root and change; once at the end is enough
+with pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
+    build().servable()

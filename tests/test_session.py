@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 import app.analysis
 from app.analysis import CHARTS, solve
 from app.controls import GROUPS, Controls
+from app.live import _same
 from app.pages import PAGES, explore
 from app.session import Session
 from app.state import PRESETS, State
@@ -544,3 +545,16 @@ def test_a_shaft_too_thick_for_its_length_is_told(session):
     answer = change(session, units="SI", shaft_length=0.02, shaft_diameter=500.0)
     assert "too thick" in answer["notice"]
     assert change(session, shaft_diameter=1.0)["notice"] == ""
+
+
+def test_sessions_share_no_part_of_a_chart():
+    first, second = Session(), Session({"spin": [b"1.25"]})
+    pairs = zip(*(one.pages["explore"].charts.values() for one in (first, second)), strict=True)
+    for one, other in pairs:
+        assert not one.figure.references() & other.figure.references()
+    second.respond({"type": "change", "values": {"spin_speed": 2.5}})
+    fresh = Session()
+    for key, chart in first.pages["explore"].charts.items():
+        for label, source in chart.sources.items():
+            other = fresh.pages["explore"].charts[key].sources[label]
+            assert _same(dict(source.data), dict(other.data))
