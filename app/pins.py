@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,41 +12,34 @@ from rotorstab import Scales
 from rotorstab.charts import Chart, Layer
 
 from .analysis import Result, solve
-from .state import SYMBOLS, State
-from .units import chart_in_si
+from .share import MOST_PINS, PINNED, PinnedInputs, pin_name
+from .state import SI_INPUTS, SYMBOLS, State
+from .units import chart_in_si, key_numbers, shown_scales
 
-__all__ = ["MOST_PINS", "Pin", "differences", "ghosted", "pin"]
+__all__ = ["Pin", "differences", "ghosted", "pin", "solved"]
 
-MOST_PINS = 3
 _CURVES = {"instability": "boundary", "load-frequency": "whirl", "campbell": "whirl"}
+# non-dimensional and in SI
 _NUMBERS = {
-    "buckling": "Buckling load p̄_cr",
-    "flutter": "Flutter load p̄_f",
-    "static_load": "Static load p̄_0",
-    "fundamental": "At rest ω̄_n",
+    "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [N]"),
+    "flutter": ("Flutter load p̄_f", "Flutter load P_f [N]"),
+    "static_load": ("Static load p̄_0", "Static load P_0 [N]"),
+    "fundamental": ("At rest ω̄_n", "At rest f_n [Hz]"),
 }
-_LEFT_OUT = ("show_", "lowest", "highest", "largest", "growth_unit", "marker", "periods")
-_LONGEST_NAME = 24
+_RANGES = ("lowest", "highest", "largest")
 
 
 @dataclass(frozen=True, eq=False)
-class Pin:
-    """A setting that is kept.
+class Pin(PinnedInputs):
+    """A setting that is kept, and its curves.
 
     Parameters
     ----------
-    name : str
-    number : int
-        1 to `MOST_PINS`: its look.
-    inputs : mapping
     result : Result
     scales : Scales
         Of its own shaft.
     """
 
-    name: str
-    number: int
-    inputs: Mapping[str, Any]
     result: Result
     scales: Scales
 
@@ -56,10 +49,23 @@ def pin(state: State, name: Any, pins: Sequence[Pin]) -> Pin | None:
     free = [n for n in range(1, MOST_PINS + 1) if n not in {one.number for one in pins}]
     if not free:
         return None
-    words = " ".join(name.split())[:_LONGEST_NAME] if isinstance(name, str) else ""
-    return Pin(
-        words or f"Pin {'ABC'[free[0] - 1]}", free[0], state.inputs(), solve(state), state.scales()
-    )
+    inputs = state.inputs()
+    kept = {name: inputs[name] for name in PINNED}
+    return solved(PinnedInputs(pin_name(name, free[0]), free[0], kept))
+
+
+def solved(one: PinnedInputs) -> Pin:
+    """Return a pin with its curves.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where its inputs have no answer.
+    """
+    state = State(**one.inputs)
+    # no curve of a pin is of the growth map, which takes finite elements long
+    result = solve(state, settled=state.model == "lumped")
+    return Pin(one.name, one.number, one.inputs, result, state.scales())
 
 
 def ghosted(charts: dict[str, Chart], pins: Sequence[Pin]) -> dict[str, Chart]:
@@ -104,11 +110,17 @@ def _shown(value: Any) -> str:
     return f"{value:.5g}".replace("-", "−") if isinstance(value, float) else str(value)
 
 
-def _numbers(result: Result) -> dict[str, str]:
-    numbers = {words: _shown(result.numbers[name]) for name, words in _NUMBERS.items()}
-    for name, (real, imaginary) in result.numbers["whirl"].items():
-        grows = f" {imaginary:+.3g}j".replace("-", "−") if abs(imaginary) > 1e-9 else ""
-        numbers[f"Whirl {name} ω̄"] = _shown(real) + grows
+def _numbers(result: Result, scales: Scales | None) -> dict[str, str]:
+    shown = result.numbers if scales is None else key_numbers(scales, result.numbers)
+    si = scales is not None
+    numbers = {words[si]: _shown(shown[name]) for name, words in _NUMBERS.items()}
+    for name, (real, imaginary) in shown["whirl"].items():
+        grows = ""
+        if abs(imaginary) > 1e-9:
+            word = "grows" if imaginary < 0 else "decays"
+            rate = f", {word} by {abs(imaginary):.3g} 1/s"
+            grows = rate if si else f" {imaginary:+.3g}j".replace("-", "−")
+        numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
     numbers["Unstable share of the window"] = f"{100 * result.floquet.unstable_share:.3g} %"
     tongues = result.floquet.table.tongues
     numbers["Tongues"] = ", ".join(row.name for row in tongues) or "none"
@@ -119,12 +131,14 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
     """Return the pins' names and the rows, inputs and key numbers, in which they differ."""
     every = [state.inputs(), *(one.inputs for one in pins)]
     rows = []
-    for name in every[0]:
+    for name in PINNED:
         values = [_shown(inputs[name]) for inputs in every]
-        if len(set(values)) > 1 and not name.startswith(_LEFT_OUT):
-            label = f"{State.param[name].label} {SYMBOLS.get(name, '')}".strip()
-            rows.append([label, *values])
-    numbers = [_numbers(result), *(_numbers(one.result) for one in pins)]
+        if len(set(values)) > 1 and not name.startswith(_RANGES):
+            label = f"{State.param[name].label} {SYMBOLS.get(name, '')} {_unit(name)}"
+            rows.append([label.strip(), *values])
+    scales = shown_scales(state)
+    numbers = [_numbers(result, scales)]
+    numbers += [_numbers(one.result, None if scales is None else one.scales) for one in pins]
     for name in numbers[0]:
         values = [one.get(name, "none") for one in numbers]
         if len(set(values)) > 1:
@@ -134,3 +148,8 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
         "rows": rows,
         "full": len(pins) >= MOST_PINS,
     }
+
+
+def _unit(name: str) -> str:
+    unit = SI_INPUTS.get(name)
+    return f"[{unit}]" if unit else ""

@@ -21,7 +21,7 @@ from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import FORMATS, MIME, gather, printer
 from .report import report_html
-from .share import describe_problems, from_arguments, to_query
+from .share import describe_problems, from_arguments, pins_from_arguments, to_query
 from .snippet import python_snippet
 from .state import State
 from .units import displayed, named_inputs, shown_scales
@@ -50,8 +50,10 @@ class Session:
     def __init__(self, arguments: Mapping[str, Sequence[bytes | str]] | None = None) -> None:
         self.state = State()
         values, doubtful = from_arguments(arguments or {})
-        # said once, beside the first picture
-        self._address_notice = describe_problems(doubtful, self.state.change(values))
+        refused = self.state.change(values)
+        # solved with the first message: a bare request for the page costs no more for them
+        self._pins, bad = pins_from_arguments(arguments or {}, self.state.inputs())
+        self._problems = [*doubtful, *bad], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
@@ -67,6 +69,7 @@ class Session:
 
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Act on one message and describe the state that follows."""
+        self._restore_pins()
         errors: dict[str, str] = {}
         reply = Reply()
         values = message.get("values")
@@ -103,10 +106,22 @@ class Session:
             "values": self.state.inputs(),
             "errors": errors,
             "notice": self.notice,
-            "address_notice": self._address_notice,
-            "query": to_query(self.state.inputs()),
+            "address_notice": describe_problems(*self._problems),
+            "query": self.query(),
             "page": self.active,
         }
+
+    def query(self) -> str:
+        """Return the address query of the state and its pins."""
+        pins = [one for page in self.pages.values() for one in page.kept()]
+        return to_query(self.state.inputs(), pins)
+
+    def _restore_pins(self) -> None:
+        pins, self._pins = self._pins, []
+        if pins:
+            named, refused = self._problems
+            found = [one for page in self.pages.values() for one in page.restore(pins)]
+            self._problems = [*named, *found], refused
 
     def export(self, message: Mapping[str, Any]) -> Reply:
         """Start making a file of a live chart or of a figure of the paper."""
@@ -158,7 +173,7 @@ class Session:
             State(**inputs),
             result.numbers,
             words,
-            query=to_query(inputs),
+            query=self.query(),
         )
         name = "rotorstab-report.html"
 

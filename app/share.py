@@ -1,5 +1,6 @@
-"""The address: every input of the state as a short query, and back with all doubt named.
+"""The address: the state and its pins as a short query, and back with all doubt named.
 
+A pin is its name and what differs from the present state: `p1=spin_1.5~as_0.2~~slow`.
 Nothing that stands in an address is trusted. What is missing keeps its default; what is
 unknown, repeated, too long, not a number or out of range is named and left out.
 """
@@ -7,6 +8,7 @@ unknown, repeated, too long, not a number or out of range is named and left out.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlencode
 
@@ -14,7 +16,17 @@ import param
 
 from .state import State
 
-__all__ = ["VERSION", "describe_problems", "from_arguments", "to_query"]
+__all__ = [
+    "MOST_PINS",
+    "PINNED",
+    "VERSION",
+    "PinnedInputs",
+    "describe_problems",
+    "from_arguments",
+    "pin_name",
+    "pins_from_arguments",
+    "to_query",
+]
 
 VERSION = 1
 _KEYS = {
@@ -60,20 +72,47 @@ _KEYS = {
 _NAMES = {key: name for name, key in _KEYS.items()}
 _LONGEST = 40  # characters of one value; the longest honest one has 18
 _MOST_NAMED = 8
+MOST_PINS = 3
+_PIN_KEYS = {f"p{number}": number for number in range(1, MOST_PINS + 1)}
+_LONGEST_PIN = 1000  # every input moved, with a name
+_LONGEST_NAME = 24
+_NOT_PINNED = ("show_", "growth_unit", "marker", "initial", "seed", "periods", "units")
+PINNED = tuple(name for name in _KEYS if not name.startswith(_NOT_PINNED))
+"""The inputs that a pin keeps: those that move its curves and numbers."""
 
 
-def to_query(inputs: Mapping[str, Any]) -> str:
-    """Return every input as a query without its question mark, version first."""
-    pairs = [("v", str(VERSION))]
-    for name, key in _KEYS.items():
-        value = inputs[name]
-        if isinstance(value, bool):
-            text = "1" if value else "0"
-        elif isinstance(value, float):
-            text = f"{value:.10g}"
-        else:
-            text = value
-        pairs.append((key, text))
+@dataclass(frozen=True)
+class PinnedInputs:
+    """A setting that is kept.
+
+    Parameters
+    ----------
+    name : str
+    number : int
+        1 to `MOST_PINS`: its look.
+    inputs : mapping
+        The inputs of `PINNED`.
+    """
+
+    name: str
+    number: int
+    inputs: Mapping[str, Any]
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, bool):
+        return "1" if value else "0"
+    return f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+def to_query(inputs: Mapping[str, Any], pins: Sequence[PinnedInputs] = ()) -> str:
+    """Return every input and pin as a query without its question mark, version first."""
+    texts = {name: _text(inputs[name]) for name in _KEYS}
+    pairs = [("v", str(VERSION)), *((key, texts[name]) for name, key in _KEYS.items())]
+    for one in pins:
+        others = {name: _text(one.inputs[name]) for name in PINNED}
+        moved = [f"{_KEYS[name]}_{text}" for name, text in others.items() if text != texts[name]]
+        pairs.append((f"p{one.number}", f"{'~'.join(moved)}~~{one.name}"))
     return urlencode(pairs)
 
 
@@ -90,19 +129,23 @@ def _value(name: str, text: str) -> Any:
     return text
 
 
+def _decoded(given: Sequence[bytes | str]) -> list[str]:
+    return [one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in given]
+
+
 def from_arguments(
     arguments: Mapping[str, Sequence[bytes | str]],
 ) -> tuple[dict[str, Any], list[str]]:
     """Return the values of an address by input name, and the keys that were not understood.
 
-    Ranges are not checked here: `State.change` does that.
+    Pins are left to `pins_from_arguments`; ranges are not checked here: `State.change` does that.
     """
     values: dict[str, Any] = {}
     doubtful: list[str] = []
     for key, given in arguments.items():
-        texts = [
-            one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in given
-        ]
+        texts = _decoded(given)
+        if key in _PIN_KEYS:
+            continue
         if key == "v":
             if texts != [str(VERSION)]:
                 doubtful.append("v")
@@ -111,6 +154,57 @@ def from_arguments(
         else:
             values[_NAMES[key]] = _value(_NAMES[key], texts[0])
     return values, doubtful
+
+
+def pins_from_arguments(
+    arguments: Mapping[str, Sequence[bytes | str]], inputs: Mapping[str, Any]
+) -> tuple[list[PinnedInputs], list[str]]:
+    """Return the pins of an address whose present state is `inputs`, and what is wrong with others.
+
+    A pin is taken whole or not at all.
+    """
+    pins: list[PinnedInputs] = []
+    doubtful: list[str] = []
+    for key, number in _PIN_KEYS.items():
+        texts = _decoded(arguments.get(key, ()))
+        if not texts:
+            continue
+        try:
+            pins.append(_pin(number, texts, inputs))
+        except ValueError as error:
+            doubtful.append(f"{key} ({error})")
+    return pins, doubtful
+
+
+def _pin(number: int, texts: Sequence[str], inputs: Mapping[str, Any]) -> PinnedInputs:
+    if len(texts) != 1:
+        raise ValueError("given more than once")
+    if len(texts[0]) > _LONGEST_PIN:
+        raise ValueError("too long")
+    moved, mark, name = texts[0].partition("~~")
+    if not mark:
+        raise ValueError("not a pin")
+    values = dict(inputs)
+    for part in moved.split("~") if moved else ():
+        key, _, text = part.partition("_")
+        name_of = _NAMES.get(key)
+        if name_of not in PINNED:
+            raise ValueError(f"no input {key[:20]!r}")
+        if not text or len(text) > _LONGEST:
+            raise ValueError(f"no value of {key}")
+        values[name_of] = _value(name_of, text)
+    state = State()
+    for problem_of, problem in state.change(values).items():
+        raise ValueError(f"{_KEYS.get(problem_of, problem_of)} {problem}")
+    kept = state.inputs()
+    return PinnedInputs(pin_name(name, number), number, {one: kept[one] for one in PINNED})
+
+
+def pin_name(words: Any, number: int) -> str:
+    """Return a short printable name, or the one of a pin's place."""
+    given = words[: 4 * _LONGEST_NAME] if isinstance(words, str) else ""
+    name = "".join(letter for letter in " ".join(given.split()) if letter.isprintable())
+    return name[:_LONGEST_NAME].strip() or f"Pin {chr(ord('A') + number - 1)}"
 
 
 def describe_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:

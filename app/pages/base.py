@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,6 +13,7 @@ import panel as pn
 from rotorstab.charts import Chart
 
 from ..live import LiveChart
+from ..share import PinnedInputs
 from ..state import State
 
 __all__ = ["FRAGMENTS", "Page", "Reply"]
@@ -73,6 +74,14 @@ class Page:
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a message that only this page knows."""
         return Reply()
+
+    def kept(self) -> Sequence[PinnedInputs]:
+        """Return the pins, for the address."""
+        return ()
+
+    def restore(self, pins: Sequence[PinnedInputs]) -> list[str]:
+        """Take the pins of an address; name those that have no answer."""
+        return []
 
     def beside(self, state: State) -> dict[str, Any]:
         """Return what this page adds to the answers of the page in view."""

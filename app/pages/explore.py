@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from bokeh.models import CustomJS
@@ -12,14 +13,17 @@ from rotorstab.charts import Chart
 
 from ..analysis import CHARTS, Result, solve
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
-from ..pins import MOST_PINS, Pin, differences, ghosted, pin
+from ..pins import Pin, differences, ghosted, pin, solved
 from ..rotor_file import read_rotor_file, write_rotor_file
+from ..share import MOST_PINS, PinnedInputs
 from ..state import SYMBOLS, State
 from ..units import displayed, shaft_words, shown_scales, si_answer
 from ..verdict import verdict
 from .base import FRAGMENTS, Page, Reply
 
 __all__ = ["Explore"]
+
+_LOG = logging.getLogger("rotorstab.app")
 
 
 class Explore(Page):
@@ -100,13 +104,30 @@ class Explore(Page):
                 return Reply({"told": str(error)})
             if made is None:
                 return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
-            self.pins.append(made)
+            self.pins = sorted([*self.pins, made], key=lambda one: one.number)
             return Reply({"told": f"{made.name} is kept"})
         if kind in self.takes:
             return self._shaft(kind, message.get("text"), state)
         if kind == "unpin":
             self.pins = [one for one in self.pins if one.number != message.get("number")]
         return Reply()
+
+    def kept(self) -> Sequence[PinnedInputs]:
+        """Return the pins, for the address."""
+        return self.pins
+
+    def restore(self, pins: Sequence[PinnedInputs]) -> list[str]:
+        """Take the pins of an address; return those that have no answer, with why."""
+        problems = []
+        for one in pins:
+            try:
+                self.pins.append(solved(one))
+            except ValueError as error:
+                problems.append(f"p{one.number} ({error})")
+            except Exception:
+                _LOG.exception("a pin of the address failed: %r", one.inputs)
+                problems.append(f"p{one.number} (it could not be computed)")
+        return problems
 
     @staticmethod
     def _shaft(kind: object, text: object, state: State) -> Reply:
