@@ -1,0 +1,1 @@
+"""A class at once: what `bench_classroom` opens, moves, kills and counts."""
