@@ -40,9 +40,9 @@ screenshots: $(VENV)/dev.stamp ## write the pictures of the README
 
 lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
 	$(PIP) install --quiet uv
-	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra dev --constraint requirements/pins.txt \
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra deploy --extra dev --constraint requirements/pins.txt \
 		--output-file requirements/dev.txt pyproject.toml requirements/build.in
-	$(VENV)/bin/$(COMPILE) --upgrade --extra app --constraint requirements/dev.txt \
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra deploy --constraint requirements/dev.txt \
 		--output-file requirements/serve.txt pyproject.toml requirements/build.in
 
 clean: ## remove the environment and all caches

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from time import perf_counter
 from typing import Any, ClassVar
 
 import panel as pn
 import param
 
 from .state import PRESETS, SI_INPUTS, SYMBOLS, State
+from .telemetry import observe
 
 __all__ = ["Controls", "field"]
 
@@ -112,10 +114,12 @@ class Controls(pn.custom.JSComponent):
         """Answer one message; anything that is not one is ignored."""
         if not isinstance(data, Mapping):
             return
+        began = perf_counter()
         sequence = data.get("seq")
         with pn.io.hold():  # patches and answer leave as one message
             answer = self._respond(data)
             self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
+        observe("update", perf_counter() - began)
 
     def tell(self, content: Mapping[str, Any]) -> None:
         """Send the browser something it did not wait for."""

@@ -7,13 +7,15 @@ It is started at the first picture and again after it died; what it makes is kep
 from __future__ import annotations
 
 import multiprocessing
+import os
 import sys
 from collections import OrderedDict
 from collections.abc import Hashable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from threading import Lock
+from multiprocessing.connection import wait
+from threading import Lock, Thread
 from types import ModuleType
 
 from rotorstab import export, plots_paper
@@ -31,6 +33,18 @@ MIME = {
 }
 FORMATS = ("pdf", "svg", "png", "csv", "json")
 _TABLES = {"csv": export.figure_csv, "json": export.figure_json}
+
+
+def _end_with_server() -> None:
+    """End this process when the server is gone, however it went; nothing else would."""
+    server = multiprocessing.parent_process()
+    assert server is not None
+
+    def watch() -> None:
+        wait([server.sentinel])
+        os._exit(1)
+
+    Thread(target=watch, daemon=True).start()
 
 
 @contextmanager
@@ -87,7 +101,9 @@ class Printer:
         for _ in range(2):
             if self._pool is None:
                 # spawn: a fork would carry the server's sockets along
-                self._pool = ProcessPoolExecutor(1, multiprocessing.get_context("spawn"))
+                self._pool = ProcessPoolExecutor(
+                    1, multiprocessing.get_context("spawn"), initializer=_end_with_server
+                )
             try:
                 with _no_main():
                     return self._pool.submit(plots_paper.figure_files, figure, (kind,))
@@ -96,6 +112,10 @@ class Printer:
         failed: Future[dict[str, bytes]] = Future()
         failed.set_exception(RuntimeError("the picture process does not start"))
         return failed
+
+    def pending(self) -> int:
+        """Return the number of files that are being made."""
+        return sum(not future.done() for future in self._made.values())
 
     def close(self) -> None:
         """End the worker."""

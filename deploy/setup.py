@@ -1,27 +1,43 @@
 """Harden `panel serve`: pass this file as `--setup deploy/setup.py`. See `deploy/server`."""
 
 import sys
-from importlib import import_module
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from deploy.server import (
     addresses,
+    dashboard,
     faults,
     headers,
     health,
     hosts,
+    lifecycle,
     limits,
     logs,
     messages,
+    metrics,
     sessions,
     settings,
 )
 
-for part in (logs, faults, headers, hosts, addresses, limits, messages, sessions, health):
-    part.install()
-
-if settings.LESSONS:
-    # a broken lesson is reported now, not when the first student comes
-    import_module("app.lessons").library()
+try:
+    found = settings.read()
+except settings.SettingError as problem:
+    settings.stop(problem)
+# logs first, the slow things last
+for part in (
+    logs,
+    faults,
+    headers,
+    hosts,
+    addresses,
+    limits,
+    messages,
+    sessions,
+    health,
+    metrics,
+    lifecycle,
+    dashboard,
+):
+    part.install(found)

@@ -41,6 +41,7 @@ class Server:
             "PYTHON": sys.executable,
             "ADDRESS": "127.0.0.1",
             "PORT": str(self.port),
+            "ROTORSTAB_SECRET_FILE": f"{log}.secret",
             "ROTORSTAB_ORIGINS": ",".join([f"localhost:{self.port}", *origins]),
             **environment,
         }
@@ -61,7 +62,7 @@ class Server:
         deadline = time.monotonic() + STARTING
         while time.monotonic() < deadline and self.process.poll() is None:
             try:
-                self.get("/liveness")
+                self.get("/health")
             except OSError:
                 time.sleep(0.1)
             else:

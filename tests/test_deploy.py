@@ -129,10 +129,10 @@ def origin(server):
 )
 def test_addresses_that_import_or_embed_are_not_there(server, path):
     assert server.get(path)[0] == 404
-    assert server.get("/liveness")[0] == 200
+    assert server.get("/health")[0] == 200
 
 
-@pytest.mark.parametrize("path", ["/tiny", "/liveness", "/nowhere", "/static/js/bokeh.min.js"])
+@pytest.mark.parametrize("path", ["/tiny", "/health", "/nowhere", "/static/js/bokeh.min.js"])
 def test_every_reply_carries_the_security_headers(server, path):
     headers = server.get(path)[1]
     policy = headers["Content-Security-Policy"]
@@ -237,7 +237,7 @@ def test_an_error_reply_on_the_socket_has_no_traceback_and_a_short_log_line(serv
 
 
 def test_head_answers_without_building_a_page(server):
-    for path in ("/tiny", "/liveness"):
+    for path in ("/tiny", "/health"):
         status, _, body = server.get(path, method="HEAD")
         assert (status, body) == (200, "")
 
@@ -260,7 +260,7 @@ def test_places_are_limited_for_pages_and_sockets(small_server):
     assert int(headers["Retry-After"]) > 0
     assert "places are taken" in page
     # Liveness builds no document, whatever it is asked for; HEAD takes no place either.
-    assert server.get("/liveness?endpoint=/tiny")[0] == 200
+    assert server.get("/health?endpoint=/tiny")[0] == 200
     assert server.get("/tiny", method="HEAD")[0] == 200
 
     async def crowd():
@@ -291,7 +291,7 @@ def test_a_senseless_limit_stops_the_start(value):
         check=False,
     )
     assert done.returncode != 0
-    assert f"must be an integer above 0, got '{value}'" in done.stderr
+    assert f"must be an integer from 1 to 10000, got '{value}'" in done.stderr
 
 
 def test_a_short_key_stops_the_start():

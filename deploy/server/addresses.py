@@ -50,7 +50,7 @@ def location_params(protocol, host, uri):
         return panel_location_params(protocol, "", (uri or "").partition("?")[0].partition("#")[0])
 
 
-def install():
+def install(settings):
     """Shut and mend the addresses of this process's server."""
     # /components/<module>/... imports the module it names.
     ComponentResourceHandler.prepare = not_found

@@ -1,16 +1,12 @@
 """Callbacks that try to end the process: they end themselves, and the log says so."""
 
-import asyncio
 import functools
 import logging
-import signal
 
-from bokeh.server.server import BaseServer
 from tornado.platform.asyncio import BaseAsyncIOLoop
 
 log = logging.getLogger("rotorstab.faults")
 
-run_until_shutdown = BaseServer.run_until_shutdown
 loop_start = BaseAsyncIOLoop.start
 
 
@@ -36,14 +32,6 @@ def start(self):
             log.exception("a callback tried to end the server")
 
 
-@functools.wraps(run_until_shutdown)
-def run(self):
-    """Run until SIGTERM or Ctrl-C: both are handled by the loop and raise nothing in callbacks."""
-    asyncio.get_event_loop().add_signal_handler(signal.SIGINT, lambda: self._sigterm())
-    run_until_shutdown(self)
-
-
-def install():
+def install(settings):
     """Keep this process's server alive until it is told to stop."""
     BaseAsyncIOLoop.start = start
-    BaseServer.run_until_shutdown = run

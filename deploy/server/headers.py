@@ -6,7 +6,8 @@ from bokeh.server.connection import ServerConnection
 from tornado.web import RequestHandler
 
 from .pages import error_page
-from .settings import RETRY_SECONDS
+from .sessions import draining
+from .settings import RESTART_SECONDS, RETRY_SECONDS
 
 HEADERS = {
     # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
@@ -40,10 +41,11 @@ def clear(self):
 def write_error(self, status_code, **kwargs):
     """Finish with a short page whatever `serve_traceback` says; the log has the rest."""
     if status_code == 503:
-        self.set_header("Retry-After", str(RETRY_SECONDS))
+        wait = RESTART_SECONDS if draining.is_set() else RETRY_SECONDS
+        self.set_header("Retry-After", str(wait))
     self.set_header("Content-Type", "text/html; charset=UTF-8")
     self.set_header("Cache-Control", "no-store")
-    self.finish(error_page(status_code))
+    self.finish(error_page(status_code, draining.is_set()))
 
 
 @functools.wraps(connection_error)
@@ -54,7 +56,7 @@ def error_reply(self, message, text):
     return reply
 
 
-def install():
+def install(settings):
     """Give every reply of this process its headers and plain errors."""
     RequestHandler.clear = clear
     RequestHandler.write_error = write_error

@@ -68,6 +68,6 @@ def find_known(self, request, **kwargs):
     return find_handler(self, request, **kwargs)
 
 
-def install():
+def install(settings):
     """Check every request of this process's server."""
     Application.find_handler = find_known

@@ -17,7 +17,6 @@ RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a 
 PATIENCE = 15.0  # s above the rate, then the socket is closed
 REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
 FRAGMENTS = 3  # of one message
-PING_SECONDS = 20  # a client that answers no ping within it is gone
 LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
 LARGEST_BODY = 65_536  # bytes; no address takes a body
 IDLE_SECONDS = 60  # for the headers of a request to come
@@ -82,11 +81,11 @@ async def paced(self, fragment):
     await on_message(self, fragment)
 
 
-def install():
+def install(settings):
     """Bound what a client may send to this process's server."""
     WSHandler.on_message = paced
     # Bokeh pings and never looks for the answer; Tornado does
-    WSHandler.ping_interval = WSHandler.ping_timeout = PING_SECONDS
+    WSHandler.ping_interval = WSHandler.ping_timeout = settings.keep_alive
     bokeh_server.HTTPServer = functools.partial(
         http_server,
         max_header_size=LARGEST_HEADER,

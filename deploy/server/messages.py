@@ -215,7 +215,7 @@ async def receive_quietly(self, fragment):
         return None
 
 
-def install():
+def install(settings):
     """Refuse foreign messages to this process's server."""
     Protocol.assemble = assemble_checked
     ProtocolHandler.handle = handle_allowed

@@ -3,7 +3,7 @@
 import html
 from http import HTTPStatus
 
-from .settings import RETRY_SECONDS
+from .settings import RESTART_SECONDS, RETRY_SECONDS
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c2430; --quiet: #5b6675; --paper: #f6f7f9;
@@ -42,17 +42,23 @@ WORDS = {
         ),
     ),
 }
+RESTARTS = (
+    "The server restarts",
+    (f"This page tries again by itself every {RESTART_SECONDS} seconds; you need do nothing.",),
+)
 LINKED = (403, 404, 414, 500)
 
 
-def error_page(status):
-    """The whole page of a status."""
+def error_page(status, restarting=False):
+    """The whole page of a status; 503 has two meanings."""
     try:
         phrase = HTTPStatus(status).phrase
     except ValueError:
         phrase = "Error"
-    title, words = WORDS.get(status, (phrase, ()))
-    again = f'<meta http-equiv="refresh" content="{RETRY_SECONDS}">' if status == 503 else ""
+    restarting = restarting and status == 503
+    title, words = RESTARTS if restarting else WORDS.get(status, (phrase, ()))
+    wait = RESTART_SECONDS if restarting else RETRY_SECONDS
+    again = f'<meta http-equiv="refresh" content="{wait}">' if status == 503 else ""
     link = '<p><a href="/">Open the dashboard</a></p>' if status in LINKED else ""
     text = "".join(f"<p>{html.escape(one)}</p>" for one in words)
     return (

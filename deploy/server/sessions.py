@@ -1,6 +1,7 @@
 """Sessions and sockets: counted, and refused before anything is built for them."""
 
 import functools
+import threading
 
 from bokeh.server.contexts import ApplicationContext
 from bokeh.server.views.session_handler import SessionHandler
@@ -9,9 +10,21 @@ from panel.io.server import DocHandler, WSHandler
 from tornado.web import HTTPError
 
 from .faults import contain
-from .settings import MAX_SESSIONS
+from .settings import Settings
 
 open_sockets = set()
+draining = threading.Event()
+"""Set when the server ends: nobody new is served."""
+most_sessions = 60
+refused = 0
+
+
+def refuse():
+    """Answer 503: the class is full, or the server is about to end."""
+    global refused
+    refused += 1
+    raise HTTPError(503)
+
 
 page_session = DocHandler.get_session
 create_session_if_needed = ApplicationContext.create_session_if_needed
@@ -75,8 +88,9 @@ async def prepare_page(self):
         for name in [name for name in arguments if name.startswith("bokeh-")]:
             del arguments[name]
     await session_prepare(self)
-    if self.request.method != "HEAD" and documents(self.application) >= MAX_SESSIONS:
-        raise HTTPError(503)
+    full = documents(self.application) >= most_sessions
+    if self.request.method != "HEAD" and (full or draining.is_set()):
+        refuse()
 
 
 @functools.wraps(socket_prepare)
@@ -94,10 +108,10 @@ async def prepare_socket(self):
     if len(protocols) != 2:
         raise HTTPError(403, reason="No token")
     known = known_session(self, protocols[1].strip())
-    if len(open_sockets) >= MAX_SESSIONS:
-        raise HTTPError(503)
-    if not known and documents(self.application) >= MAX_SESSIONS:
-        raise HTTPError(503)
+    if draining.is_set() or len(open_sockets) >= most_sessions:
+        refuse()
+    if not known and documents(self.application) >= most_sessions:
+        refuse()
     open_sockets.add(self)
 
 
@@ -116,8 +130,10 @@ def socket_refused(self):
     socket_finish(self)
 
 
-def install():
+def install(settings: Settings):
     """Count and limit the sessions and sockets of this process's server."""
+    global most_sessions
+    most_sessions = settings.max_sessions
     DocHandler.get_session = session_or_error
     ApplicationContext.create_session_if_needed = create_session
     DocHandler.prepare = prepare_page

@@ -1,0 +1,23 @@
+"""The served app's own modules, which Bokeh imports under a name that is new in each process."""
+
+import importlib
+import sys
+from types import ModuleType
+
+from .settings import Settings
+
+
+def module(name: str) -> ModuleType | None:
+    """Return a module of the served app, or nothing where the app is a single file."""
+    packages = (one for one in sys.modules if one.startswith("bokeh_app_") and "." not in one)
+    package = next(packages, None)
+    return importlib.import_module(f"{package}.{name}") if package else None
+
+
+def install(settings: Settings):
+    """Do the slow first things before anybody waits for them."""
+    lessons, session = module("lessons"), module("session")
+    if lessons:
+        lessons.library()  # a broken lesson is reported now, not when the first student comes
+    if session:
+        session.Session()

@@ -1,0 +1,59 @@
+"""One worker: `python deploy/worker.py [directory or file of the app] [more of panel serve]`.
+
+One process a worker: with Panel's --num-procs a stopped parent leaves its children serving.
+"""
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from deploy.server.secret import find_secret
+from deploy.server.settings import SettingError, Settings, read, stop
+
+ROOT = Path(__file__).resolve().parents[1]
+LARGEST_MESSAGE = 262_144  # bytes
+
+
+def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]:
+    """Return the command line of `panel serve`, with more options of it."""
+    options = {
+        "address": settings.address,
+        "port": settings.port,
+        "setup": ROOT / "deploy" / "setup.py",
+        "plugins": "deploy.server.routes",
+        "websocket-max-message-size": LARGEST_MESSAGE,
+        "session-token-expiration": settings.token_lifetime,
+        "keep-alive": settings.keep_alive * 1000,
+        "unused-session-lifetime": settings.unused_lifetime * 1000,
+        "check-unused-sessions": min(15, settings.unused_lifetime) * 1000,
+    }
+    words = ["panel", "serve", app]
+    for name, value in options.items():
+        words += [f"--{name}", str(value)]
+    for origin in settings.origins:
+        words += ["--allow-websocket-origin", origin]
+    return [*words, *more]
+
+
+def main() -> None:
+    """Check the settings, then serve until a signal."""
+    try:
+        settings = read()
+        os.environ["BOKEH_SECRET_KEY"] = find_secret(settings, make=settings.workers == 1)
+    except SettingError as problem:
+        stop(problem)
+    os.environ |= {"BOKEH_SIGN_SESSIONS": "yes", "BOKEH_RESOURCES": "server"}
+    app = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "app")
+    if not Path(app).exists():
+        stop(f"there is no app at {app}")
+    from panel.command import main as panel  # seconds: not before the settings are known good
+
+    sys.argv = command(settings, app, sys.argv[2:])
+    panel()
+
+
+if __name__ == "__main__":
+    main()
