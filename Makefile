@@ -9,7 +9,7 @@ PIP := $(PY) -m pip --disable-pip-version-check --no-input
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
-.PHONY: help serve test lint unit bench screenshots lock clean
+.PHONY: help serve lab test lint unit bench screenshots lock clean
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -17,6 +17,9 @@ help: ## this list
 
 serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
 	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) deploy/start.sh
+
+lab: $(VENV)/serve.stamp ## serve a class: nginx and ROTORSTAB_WORKERS workers (docs/deploy.md)
+	@ADDRESS=$(ADDRESS) PORT=$(PORT) exec $(PY) deploy/lab.py
 
 test: lint ## every check and test, with a browser (found, or installed)
 	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile

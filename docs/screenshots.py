@@ -48,7 +48,7 @@ def serve() -> tuple[subprocess.Popen[bytes], str]:
     address = f"http://127.0.0.1:{port}"
     for _ in range(120):
         try:
-            with urllib.request.urlopen(f"{address}/liveness", timeout=2):
+            with urllib.request.urlopen(f"{address}/health", timeout=2):
                 return process, f"{address}/app"
         except OSError:
             time.sleep(0.5)

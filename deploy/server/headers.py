@@ -5,25 +5,9 @@ import functools
 from bokeh.server.connection import ServerConnection
 from tornado.web import RequestHandler
 
+from .constants import HEADERS, RESTART_SECONDS, RETRY_SECONDS
 from .pages import error_page
 from .sessions import draining
-from .settings import RESTART_SECONDS, RETRY_SECONDS
-
-HEADERS = {
-    # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
-    # components are fetched from blobs.
-    "Content-Security-Policy": (
-        "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
-        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' blob:; "
-        "frame-ancestors 'none'; object-src 'none'; base-uri 'self'; form-action 'self'"
-    ),
-    "Cross-Origin-Opener-Policy": "same-origin",
-    "Cross-Origin-Resource-Policy": "same-origin",
-    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
-    "Referrer-Policy": "same-origin",
-    "X-Content-Type-Options": "nosniff",
-    "X-Frame-Options": "DENY",
-}
 
 tornado_clear = RequestHandler.clear
 connection_error = ServerConnection.error

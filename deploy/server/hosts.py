@@ -12,7 +12,7 @@ log = logging.getLogger("rotorstab.hosts")
 LONGEST_ADDRESS = 8_000  # characters; the token of a page carries its query in a header
 LONGEST_CUT = 250_000  # up to here the page is served without its query
 LOOPBACK = ("localhost", "127.0.0.1", "::1")  # no other site can take these names
-FOR_MACHINES = ("/health", "/liveness", "/metrics")  # asked by whatever name a probe uses
+FOR_MACHINES = ("/health", "/metrics")  # asked by whatever name a probe uses
 
 find_handler = Application.find_handler
 

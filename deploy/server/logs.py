@@ -5,8 +5,6 @@ import logging
 import sys
 import time
 
-from panel.io.state import state
-
 from .settings import Settings
 
 LONGEST_LINE = 2000
@@ -24,8 +22,9 @@ def shorten(text: str) -> str:
 def current_session() -> str:
     """Return the first characters of the session that is being served, or nothing."""
     try:
+        state = sys.modules["panel.io.state"].state
         return str(state.curdoc.session_context.id)[:SHOWN_OF_ID]
-    except Exception:  # none; a log line never fails
+    except Exception:  # there is none; a log line never fails
         return ""
 
 

@@ -3,7 +3,7 @@
 import html
 from http import HTTPStatus
 
-from .settings import RESTART_SECONDS, RETRY_SECONDS
+from .constants import RESTART_SECONDS, RETRY_SECONDS
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c2430; --quiet: #5b6675; --paper: #f6f7f9;

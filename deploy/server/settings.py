@@ -13,8 +13,6 @@ from ipaddress import ip_address
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
-RETRY_SECONDS = 30  # for whom there is no place
-RESTART_SECONDS = 5  # while a server ends or starts
 LONGEST_SHOWN = 60
 HOST = r"[A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?"
 

@@ -1,0 +1,20 @@
+"""What the workers and nginx say alike."""
+
+RETRY_SECONDS = 30  # for whom there is no place
+RESTART_SECONDS = 5  # while a server ends or starts
+
+HEADERS = {
+    # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
+    # components are fetched from blobs.
+    "Content-Security-Policy": (
+        "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval' blob:; "
+        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self' blob:; "
+        "frame-ancestors 'none'; object-src 'none'; base-uri 'self'; form-action 'self'"
+    ),
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+    "Referrer-Policy": "same-origin",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}
