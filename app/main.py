@@ -15,6 +15,7 @@ from .pages import PAGES
 from .pages.lessons import cards
 from .printing import FORMATS
 from .session import Session
+from .sockets import install
 
 ASSETS = Path(__file__).parent / "assets"
 STYLES = ("page.css", "inspector.css", "lessons.css")
@@ -97,6 +98,7 @@ def build() -> pn.Template:
     return template
 
 
+install()
 # Bokeh walks every model once a root and change; once at the end is enough
 with pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
     build().servable()
