@@ -108,6 +108,7 @@ class Session:
             "notice": self.notice,
             "address_notice": describe_problems(*self._problems),
             "query": self.query(),
+            "at_rest": kind != "change",
             "page": self.active,
         }
 

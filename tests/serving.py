@@ -33,8 +33,8 @@ class Server:
     It is started with the shipped start script, or with a command of which "PORT" is a word.
     """
 
-    def __init__(self, log, app=None, origins=(), command=None, **environment):
-        self.port = free_port()
+    def __init__(self, log, app=None, origins=(), command=None, port=None, **environment):
+        self.port = port or free_port()
         self.origin = f"http://localhost:{self.port}"
         self.log = log
         environment = os.environ | {

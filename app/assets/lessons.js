@@ -213,7 +213,7 @@ window.rotorstab.lessons = (() => {
     move(step);
     for (const [name, one] of Object.entries(controls)) if (name in values) one.show(values[name]);
     keep(step.key, (old) => ({ ...old, at: step.step }));
-    try { sessionStorage.setItem(STORE, `${step.key}/${step.step}`); } catch { /* private window */ }
+    name();
     reveal();
     stand();
     panel().scrollTop = 0;
@@ -229,29 +229,33 @@ window.rotorstab.lessons = (() => {
   // -- coming and going ---------------------------------------------------------------
   function go(step, held = false) { focusTo = held ? "" : "heading"; page.send({ type: "lesson", lesson: asked, step, keep: held }); }
 
-  // #lesson/name: the charts, with that lesson beside them
+  // #lesson/name/step: the charts with that step beside them; the state is the address' own.
+  // #lesson/name: the lesson where it was left, with its own state
   function visit() {
-    const wanted = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})$/)?.[1];
+    const found = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})(?:\/(\d{1,2}))?$/);
     if (!page.send) return;
+    const [wanted, step] = found ? [found[1], found[2] && Math.max(0, Number(found[2]) - 1)] : [];
     if (wanted && wanted !== running?.key) {
       asked = wanted;
-      const { at } = progress(wanted);
-      // after a reload the sliders stay as the student left them
-      let open = "";
-      try { open = sessionStorage.getItem(STORE) || ""; } catch { /* private window */ }
-      const held = !visited && open === `${wanted}/${at}`;
-      go(at, held);
+      const held = !visited && step !== undefined;
+      go(step ?? progress(wanted).at, held);
       if (!held) focusTo = "title";
-    }
+    } else if (wanted && step !== undefined && step !== running.step) go(step);
+    else if (wanted) name();
     visited = true;
     if (running) stand();
   }
   let visited = false;
 
+  // the step stands in the address, so that a link opens on it
+  function name() {
+    if (!location.hash.startsWith("#lesson/")) return;
+    history.replaceState(null, "", `${location.pathname}${location.search}#lesson/${running.key}/${running.step + 1}`);
+  }
+
   function leave() {
     running = null;
     asked = "";
-    try { sessionStorage.removeItem(STORE); } catch { /* private window */ }
     page.send({ type: "lesson-end" });
     stand();
     location.hash = "lessons";
@@ -278,7 +282,7 @@ window.rotorstab.lessons = (() => {
     });
     // a lesson's link chosen again, from the list, while it runs
     for (const link of document.querySelectorAll('a[href^="#lesson/"]')) {
-      link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(stand); });
+      link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(visit); });
     }
     window.addEventListener("hashchange", visit);
     list();

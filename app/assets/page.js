@@ -130,6 +130,13 @@ window.rotorstab = (() => {
     telling = setTimeout(() => { toast.hidden = true; }, 6000);
   }
 
+  // -- the address: the state of the last answer, and the page in view --------------
+  let query = "";
+  function address() {
+    // history entries would fill the back button with slider positions
+    if (query) history.replaceState(null, "", `${location.pathname}?${query}${location.hash}`);
+  }
+
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
     if (data.si) showNumbersInSI(data.si.numbers);
@@ -152,9 +159,9 @@ window.rotorstab = (() => {
     }
     if (data.told !== undefined) tell(data.told);
     if (!data.values) return;
-    const address = `${location.pathname}?${data.query}${location.hash}`;
-    // history entries would fill the back button with slider positions
-    if (data.query && !page.left) history.replaceState(null, "", address);
+    query = data.query;
+    // at rest: browsers refuse an address that changes with every frame
+    if (data.at_rest && !page.left) address();
     const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
@@ -175,6 +182,7 @@ window.rotorstab = (() => {
   page.connectionLost = () => {
     if (page.left) return;
     page.left = true;
+    address();
     const lost = document.querySelector(".lost");
     lost.hidden = false;
     lost.textContent = "The connection to the server was lost. This page returns by itself, with your settings, as soon as the server answers.";
@@ -204,6 +212,7 @@ window.rotorstab = (() => {
     sidebar.querySelector(".close").addEventListener("click", () => drawer(false));
     document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
     document.querySelector("button.share").addEventListener("click", async () => {
+      address();
       try { await navigator.clipboard.writeText(location.href); tell("The link is on the clipboard."); }
       catch { prompt("Copy this link:", location.href); }
     });
