@@ -7,7 +7,6 @@ import pytest
 
 from app.lessons import library
 from app.pages import PAGES
-from tests.conftest import opened
 from tests.serving import Server
 
 pytestmark = pytest.mark.browser
@@ -76,11 +75,13 @@ def test_a_senseless_step_opens_a_working_page(open_page, end):
 
 def test_a_page_that_lost_its_server_returns_with_state_pins_and_marker(browser, tmp_path):
     server = Server(tmp_path / "first.txt").wait()
-    server.get("/app")  # the first hit is slow
     second = None
-    context, page, _ = opened(browser, server)
-    page.set_default_timeout(60_000)
+    context = browser.new_context(viewport={"width": 1280, "height": 900})
+    context.set_default_timeout(120_000)  # the first hit of a server is slow
+    page = context.new_page()
     try:
+        page.goto(f"{server.origin}/app")
+        page.wait_for_function("window.rotorstab?.last")
         page.evaluate("rotorstab.send({ type: 'pin', label: 'before' })")
         page.wait_for_function("rotorstab.last.pins")
         page.evaluate("(all) => rotorstab.send({ type: 'change', values: all })", MARKED)

@@ -11,6 +11,9 @@ window.rotorstab = (() => {
 
   function token(name) { return getComputedStyle(root).getPropertyValue(name).trim(); }
 
+  const coarse = window.matchMedia("(pointer: coarse)");
+  const freed = new WeakSet();
+
   function paintCharts() {
     if (!window.Bokeh) return;
     const ink = token("--ink"), soft = token("--soft"), grid = token("--chart-grid"), card = token("--card");
@@ -24,6 +27,10 @@ window.rotorstab = (() => {
                 axis_label_text_color: ink }, quiet); break;
             case "ColorBar":
               model.setv({ major_label_text_color: soft, title_text_color: ink, bar_line_color: null, background_fill_color: null }, quiet); break;
+            case "BoxZoomTool":
+              // one finger scrolls the page over a chart; the tool stands ready above it
+              if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
+              break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
             case "Text":
