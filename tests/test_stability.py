@@ -8,10 +8,10 @@ from rotorstab import BASE_CASE, finite_element, lumped
 from rotorstab.characteristic import (
     characteristic_coefficients,
     quartic_multipliers,
-    self_inversive_growth,
     self_inversive_multipliers,
 )
 from rotorstab.floquet import floquet_solution, growth_rate
+from rotorstab.growth import self_inversive_growth
 from rotorstab.resonance import resonances
 from rotorstab.stability import stability_chart, stability_map
 from rotorstab.tongues import tongue_edges

@@ -7,24 +7,26 @@ come in pairs μ, 1/μ̄.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
     "characteristic_coefficients",
-    "largest_modulus",
+    "pair_halves",
     "quartic_multipliers",
-    "self_inversive_growth",
+    "reversed_coefficients",
     "self_inversive_multipliers",
+    "slopes",
     "solved",
 ]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-_NEAR_END = 0.05  # of 2 ± y: below it one of the two half-angle quotients is 0/0
+_PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))  # the k-th completes the (5 − k)-th
+_FIRST, _SECOND = np.array(_PAIRS).T
+_SIGNS = np.array([1.0, -1.0, 1.0, 1.0, -1.0, 1.0])  # of the permutation: a pair, then the other
+NEAR_END = 0.05  # of 2 ± y: below it one of the two half-angle quotients is 0/0
 _BEYOND = 1e-6  # |y| > 2 by more than this is a real split, not rounding
 
 
@@ -40,12 +42,32 @@ def solved(matrix: Complex, right: Complex) -> Complex:
         return np.full(right.shape, np.nan, dtype=np.complex128)
 
 
-def characteristic_coefficients(monodromy: Complex, scale: Complex) -> NDArray[Any]:
+def _minors(matrix: Complex) -> Complex:
+    """Return the determinants (6, 6, ...) of two rows and two columns of (4, 4, ...)."""
+    upper, lower = matrix[_FIRST], matrix[_SECOND]
+    minors = upper[:, _FIRST] * lower[:, _SECOND]
+    minors -= upper[:, _SECOND] * lower[:, _FIRST]
+    return np.asarray(minors)
+
+
+def _cofactor_sum(matrix: Complex, minors: Complex, other: Complex) -> Complex:
+    """Return Σ C_ij B_ij, C the cofactors of A = `matrix` and B = `other`, (4, 4, ...) each."""
+    total = np.zeros(matrix.shape[2:], dtype=np.complex128)
+    for row, rest in ((0, 5), (2, 0)):
+        mixed = matrix[row][_FIRST] * other[row + 1][_SECOND]
+        mixed -= matrix[row][_SECOND] * other[row + 1][_FIRST]
+        mixed += other[row][_FIRST] * matrix[row + 1][_SECOND]
+        mixed -= other[row][_SECOND] * matrix[row + 1][_FIRST]
+        total += np.einsum("j,j...,j...->...", _SIGNS, minors[rest, ::-1], mixed)
+    return total
+
+
+def characteristic_coefficients(monodromy: Complex, scale: Complex) -> Complex:
     """Return c₁, c₂, c₃ of the multipliers divided by `scale`.
 
     Parameters
     ----------
-    monodromy : (..., 4, 4) complex
+    monodromy : (4, 4, ...) complex
     scale : (...) complex
         A fourth root of the determinant.
 
@@ -53,10 +75,42 @@ def characteristic_coefficients(monodromy: Complex, scale: Complex) -> NDArray[A
     -------
     (3, ...) complex
     """
-    c1 = np.trace(monodromy, axis1=-2, axis2=-1) / scale
-    square = np.einsum("...ij,...ji->...", monodromy, monodromy) / scale**2
-    inverse = solved(monodromy, np.broadcast_to(np.eye(4, dtype=complex), monodromy.shape))
-    return np.array([c1, (c1**2 - square) / 2, np.trace(inverse, axis1=-2, axis2=-1) * scale])
+    minors = _minors(monodromy)
+    one = np.eye(4, dtype=np.complex128).reshape(4, 4, *[1] * (monodromy.ndim - 2))
+    return np.array(
+        [
+            np.einsum("ii...->...", monodromy) / scale,
+            np.einsum("ii...->...", minors) / scale**2,
+            _cofactor_sum(monodromy, minors, one) / scale**3,
+        ]
+    )
+
+
+def reversed_coefficients(half: Complex, scale: Complex) -> Array:
+    """Return Re c₁, Im c₁ and c₂ of conj(Y)⁻¹Y, the monodromy where Y(−t) = conj Y(t).
+
+    Parameters
+    ----------
+    half : (4, 4, ...) complex
+        Y over half a period, |det Y| = 1.
+    scale : (...) complex
+        A fourth root of the monodromy's determinant, a square root of Y's.
+
+    Returns
+    -------
+    (3, ...) float
+
+    Notes
+    -----
+    The inverse's minors are those of Y (Jacobi): no matrix is solved, and c₂ is no difference
+    of large traces.
+    """
+    minors = _minors(half)
+    conjugate = minors.conj()
+    first = _cofactor_sum(half.conj(), conjugate, half) * scale
+    products = conjugate[:2:-1, ::-1] * minors[:3]
+    second = 2 * np.einsum("i,j,ij...->...", _SIGNS[:3], _SIGNS, products.real)
+    return np.array([first.real, first.imag, second])
 
 
 def _pair_sum(re: Array, im: Array, c2: Array) -> Array:
@@ -90,7 +144,7 @@ def _pair_sum(re: Array, im: Array, c2: Array) -> Array:
     return np.asarray(np.clip(y, -2.0, 2.0))
 
 
-def _pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
+def pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
     """Return y, |S| and |D| where P = (S ± D)/2 are the real sums of the two pairs.
 
     Each pair is e^{±jα/2}(u, 1/u) with P = u + 1/u: c₁ = P₁e^{jα/2} + P₂e^{−jα/2} and
@@ -101,71 +155,9 @@ def _pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
     product = 4 * (c2 - y)
     with np.errstate(divide="ignore", invalid="ignore"):
         sum2, difference2 = re * re / cos2, im * im / sin2
-    sum2 = np.where(cos2 < _NEAR_END, np.maximum(difference2 + product, 0), sum2)
-    difference2 = np.where(sin2 < _NEAR_END, np.maximum(sum2 - product, 0), difference2)
+    sum2 = np.where(cos2 < NEAR_END, np.maximum(difference2 + product, 0), sum2)
+    difference2 = np.where(sin2 < NEAR_END, np.maximum(sum2 - product, 0), difference2)
     return y, np.sqrt(sum2), np.sqrt(difference2)
-
-
-def self_inversive_growth(
-    coefficients: Array, error: Array | float = 0.0, nearness: bool = False
-) -> tuple[Array, Array, Array]:
-    """Return ln max|μ| of self-inversive quartics and how far it may be wrong.
-
-    Parameters
-    ----------
-    coefficients : (3, ...) float
-        Re c₁, Im c₁, c₂.
-    error : (...) float
-        Bound on the errors of the coefficients.
-    nearness : bool
-        Whether to fill `approach`.
-
-    Returns
-    -------
-    growth : (...) float
-        σT, exactly 0 where all four lie on the unit circle.
-    uncertainty : (...) float
-        Bound on its error, √ of the coefficients' at a double multiplier.
-    approach : (...) float
-        cos Δψ − 1 of the two multipliers closest on the circle, cosh 2σT − 1 once they have
-        collided: smooth through the collision. NaN if not asked for.
-    """
-    y, total, difference = _pair_halves(*coefficients)
-    largest = (total + difference) / 2
-    # how far the colliding pair stays from the other one
-    distance = np.minimum(np.abs(y - (total - difference) / 2), 1)
-    distance *= distance
-    slack = 2 * error / np.maximum(distance, np.minimum(np.sqrt(error) + 1e-300, 1))
-    end = np.abs(y) > 2 - 4 * _NEAR_END
-    if end.any():
-        # there one of S and D is the root of a difference
-        small = np.minimum(total, difference)
-        slack += np.where(end, 8 * error / np.maximum(small, np.sqrt(8 * error) + 1e-300), 0)
-    growth = np.arccosh(np.maximum(largest, 2.0) / 2)
-    near = largest + slack > 2
-    uncertainty = np.zeros_like(growth)
-    upper, lower = (
-        np.arccosh(np.maximum(largest[near] + sign * slack[near], 2.0) / 2) for sign in (1, -1)
-    )
-    uncertainty[near] = np.maximum(upper - growth[near], growth[near] - lower)
-    if not nearness:
-        return growth, uncertainty, np.full_like(growth, np.nan)
-    return growth, uncertainty, _approach(y, largest, (total - difference) / 2)
-
-
-def _approach(y: Array, first: Array, second: Array) -> Array:
-    """Return cos Δψ − 1 of the closest two of four multipliers, from y and the sums P.
-
-    The arguments are ±α/2 with ±a₁ and ±a₂ about them, y = 2cos α, P = 2cos a.
-    """
-    within = np.maximum(first * first, second * second) / 2 - 2
-    c0, c1, c2 = y / 2, np.minimum(first / 2, 1.0), np.clip(second / 2, -1.0, 1.0)
-    s0, s1, s2 = (np.sqrt(np.maximum(1 - c * c, 0)) for c in (c0, c1, c2))
-    cosines, sines = c1 * c2, s1 * s2
-    plus = c0 * (cosines - sines) + np.abs(s0 * (s1 * c2 + c1 * s2))
-    minus = c0 * (cosines + sines) + np.abs(s0 * (s1 * c2 - c1 * s2))
-    across = np.maximum(plus, minus) - 1
-    return np.asarray(np.where(first > 2, within, np.maximum(within, across)))
 
 
 def self_inversive_multipliers(coefficients: Array) -> Complex:
@@ -187,7 +179,7 @@ def self_inversive_multipliers(coefficients: Array) -> Complex:
     True
     """
     re, im, c2 = coefficients
-    y, total, difference = _pair_halves(re, im, c2)
+    y, total, difference = pair_halves(re, im, c2)
     total = np.copysign(total, re)
     difference = np.copysign(difference, im)
     half = np.sqrt((2 + y) / 4) + 1j * np.sqrt((2 - y) / 4)
@@ -245,7 +237,7 @@ def quartic_multipliers(coefficients: Complex) -> Complex:
     return _polish(roots, coefficients)
 
 
-def _slopes(roots: Complex, coefficients: Complex) -> tuple[Complex, Complex, Complex]:
+def slopes(roots: Complex, coefficients: Complex) -> tuple[Complex, Complex, Complex]:
     """Return the quartic's value, first and half second derivative at approximate roots."""
     c1, c2, c3 = coefficients
     value = (((roots - c1) * roots + c2) * roots - c3) * roots + 1
@@ -256,33 +248,7 @@ def _slopes(roots: Complex, coefficients: Complex) -> tuple[Complex, Complex, Co
 def _polish(roots: Complex, coefficients: Complex) -> Complex:
     """Take two Newton steps, save where roots nearly coincide."""
     for _ in range(2):
-        value, slope, bend = _slopes(roots, coefficients)
+        value, slope, bend = slopes(roots, coefficients)
         safe = np.abs(slope) ** 2 > 4 * np.abs(value * bend)
         roots = roots - np.where(safe, value / np.where(safe, slope, 1.0), 0)
     return roots
-
-
-def largest_modulus(coefficients: Complex, error: Array | float = 0.0) -> tuple[Array, Array]:
-    """Return ln max|μ| of general quartics and how far it may be wrong.
-
-    Parameters
-    ----------
-    coefficients : (3, ...) complex
-    error : (...) float
-        Bound on the errors of the coefficients.
-
-    Returns
-    -------
-    growth, uncertainty : (...) float
-    """
-    roots = quartic_multipliers(coefficients)
-    modulus = np.abs(roots)
-    index = modulus.argmax(axis=0)[None]
-    top = np.take_along_axis(roots, index, 0)[0]
-    size = np.take_along_axis(modulus, index, 0)[0]
-    _, slope, bend = _slopes(top, coefficients)
-    slack = error * (1 + size + size**2) * size
-    first, second = np.abs(slope), np.abs(bend)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        shift = 2 * slack / (first + np.sqrt(first**2 + 4 * slack * second))
-    return np.log(size), np.asarray(shift / size)

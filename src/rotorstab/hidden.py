@@ -62,16 +62,14 @@ def hidden_on_panel(
     for shrink in _SHRINK:
         reach = shrink * spacing
         points = np.clip(centre + reach * np.array([[-1.0], [0.0], [1.0]]), plan.low, plan.high)
-        functions = sampler.scattered(panel, np.tile(load, 3), points.ravel())
-        _, _, height = sampler.growth(panel, functions, np.tile(load, 3), points.ravel(), True)
+        _, _, height = sampler.at_points(panel, np.tile(load, 3), points.ravel(), nearness=True)
         low, mid, high = height.reshape(3, -1)
         bend = low - 2 * mid + high
         with np.errstate(divide="ignore", invalid="ignore"):
             shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
         centre = centre + reach * np.clip(shift, -2, 2)
         centre = np.clip(centre, before, after)
-    functions = sampler.scattered(panel, load, centre)
-    growth, error, _ = sampler.growth(panel, functions, load, centre)
+    growth, error, _ = sampler.at_points(panel, load, centre)
     found = growth > np.maximum(error, _GROWTH)
     doubt = np.flatnonzero((growth > _GROWTH) & ~found)
     if doubt.size:
@@ -138,8 +136,7 @@ def _measure(sampler: ChartSampler, load: Array, theta: Array) -> Array:
         for index, plan in enumerate(sampler.panels):
             here = (periods >= plan.low) & (periods <= plan.high)
             if plan.period_nodes and here.any():
-                functions = sampler.scattered(index, loads[here], periods[here])
-                _, _, near = sampler.growth(index, functions, loads[here], periods[here], True)
+                _, _, near = sampler.at_points(index, loads[here], periods[here], nearness=True)
                 # cos Δψ − 1 to −(Δψ/2)², the scale of single points
                 height[here] = near / 2
     rest = np.isnan(height)

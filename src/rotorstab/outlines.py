@@ -189,9 +189,9 @@ def _intervals(
     for index, panel in enumerate(sampler.panels):
         # up to the next panel's first column, so that they meet
         span = periods[panel.columns.start : panel.columns.stop + 1]
-        functions = sampler.evaluate(index, loads, span)
+        error = sampler.coefficient_error(index, loads[:, None], span)
         growth, error, approach = sampler.growth(
-            index, functions, loads[:, None], span, nearness=True
+            sampler.evaluate(index, loads, span), error, span, nearness=True
         )
         unstable = growth > np.maximum(error, _GROWTH)
         edges.append(_crossings(sampler, index, loads, span, unstable, approach))
@@ -250,8 +250,7 @@ def _root(sampler: ChartSampler, panel: int, load: Array, inside: Array, outside
     """Return T between points inside and outside at which the approach is 0: Illinois' rule."""
 
     def value(period: Array) -> Array:
-        functions = sampler.scattered(panel, load, period)
-        growth, error, approach = sampler.growth(panel, functions, load, period, nearness=True)
+        growth, error, approach = sampler.at_points(panel, load, period, nearness=True)
         # where two pairs grow at once the approach may tell nothing
         grows = (approach <= 0) & (growth > np.maximum(error, _GROWTH))
         return np.where(grows, growth, approach)
@@ -300,17 +299,13 @@ def _peaks(
     for shrink in _SHRINK:
         reach = shrink * spacing
         points = np.clip(centre + reach * np.array([[-1.0], [0.0], [1.0]]), span[0], span[-1])
-        functions = sampler.scattered(panel, np.tile(load, 3), points.ravel())
-        height = sampler.growth(panel, functions, np.tile(load, 3), points.ravel(), nearness=True)[
-            2
-        ]
+        height = sampler.at_points(panel, np.tile(load, 3), points.ravel(), nearness=True)[2]
         low, mid, high = height.reshape(3, -1)
         bend = low - 2 * mid + high
         with np.errstate(divide="ignore", invalid="ignore"):
             shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
         centre = np.clip(centre + reach * np.clip(shift, -2, 2), before, after)
-    functions = sampler.scattered(panel, load, centre)
-    growth, error, _ = sampler.growth(panel, functions, load, centre)
+    growth, error, _ = sampler.at_points(panel, load, centre)
     keep = growth > np.maximum(error, _GROWTH)
     row = row[keep]
     load, centre, before, after = (one[keep] for one in (load, centre, before, after))

@@ -7,12 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .characteristic import (
-    characteristic_coefficients,
-    largest_modulus,
-    self_inversive_growth,
-    solved,
-)
+from .characteristic import characteristic_coefficients, reversed_coefficients, solved
+from .growth import largest_modulus, matrix_growth, self_inversive_growth
 from .modal import ModalBasis, splitting_basis
 from .sampling import (
     Panel,
@@ -31,8 +27,11 @@ Complex = NDArray[np.complex128]
 
 _LEVELS = (4, 3, 2)  # step counts of the extrapolation, times a common factor
 _STEPS_PER_RADIAN = 1.7  # of the fastest mode, first level: 1e-7 or so in the coefficients
-_TOLERANCE = 1e-8  # of the interpolation, in the coefficients
-_SAFETY = 4  # the step error is measured at one corner of each panel only
+_TOLERANCE = 1e-5  # of the interpolation, by a rule that is cautious: 1e-9 or so comes out
+_ROUNDING = 1e-14
+_PROBES = (0.0, 0.15, 0.3, 0.5)  # of a panel's periods, longest first: where steps are checked
+_GROWS = 4  # power of T with which they grow at least
+_SAFETY = 4
 
 
 def _weights(levels: tuple[int, ...]) -> Array:
@@ -109,7 +108,6 @@ class ChartSampler:
             resolve=self._longest_tongue(coupling) if between and self.closed_form else 0.0,
         )
         self.periods = periods
-        self._rounding: Array | float = 0.0
         self.data = [self._sample(panel) for panel in self.panels]
 
     def _longest_tongue(self, coupling: NDArray[Any]) -> float:
@@ -129,9 +127,9 @@ class ChartSampler:
             slope = (high - low) / swing
         return np.asarray(np.linalg.solve(system.mass, slope))
 
-    def _values(self, period: Array, load: Array, steps: int) -> NDArray[Any]:
-        """Return what is interpolated, (k, T nodes, load nodes)."""
-        y = propagate(
+    def _propagators(self, period: Array, load: Array, steps: int) -> Complex:
+        """Return Y (2n, 2n, T nodes, load nodes) over the share of a period that is needed."""
+        return propagate(
             self.system,
             self.basis,
             (np.full((1, 1), self.static_load), load[None]),
@@ -140,20 +138,37 @@ class ChartSampler:
             steps,
             MAP_SCHEME,
         )
-        if not self.closed_form:
-            return y.reshape(-1, len(period), len(load))
-        y = np.ascontiguousarray(np.moveaxis(y, (0, 1), (2, 3)))
-        if not self.system.is_damped:
-            # half a period is enough: by time reversal Y(−t) = conj Y(t)
-            y = solved(y.conj(), y)
-        scale = np.exp(1j * self.drift * period)[:, None]
-        c = characteristic_coefficients(y, np.broadcast_to(scale, y.shape[:2]))
-        if self.system.is_damped:
-            return c
-        # μ and 1/μ̄ pair off: what is left of that is rounding, in strong growth a lot of it
-        slip = np.abs(c[2] - c[0].conj()) + np.abs(c[1].imag)
-        self._rounding = slip.max(axis=0)
-        return np.array([c[0].real, c[0].imag, c[1].real])
+
+    def _extrapolated(self, period: Array, load: Array, steps: int) -> tuple[NDArray[Any], Array]:
+        """Return the coefficients (3, T nodes, load nodes) and their errors by load.
+
+        A third level at some of the longer periods measures the errors, which grow with T and
+        swing with the phases of the modes.
+        """
+        last = len(period) - 1
+        longest_first = period[0] > period[-1]
+        at = sorted({round(last * (x if longest_first else 1 - x)) for x in _PROBES})
+        spans = [period, period, period[at]]
+        y = np.concatenate(
+            [
+                self._propagators(span, load, level * steps)
+                for span, level in zip(spans, _LEVELS, strict=True)
+            ],
+            axis=2,
+        )
+        scale = np.exp(1j * self.drift * np.concatenate(spans))[:, None]
+        make = characteristic_coefficients if self.system.is_damped else reversed_coefficients
+        found, count = make(y, scale), len(period)
+        one, two, least = found[:, :count], found[:, count : 2 * count], found[:, 2 * count :]
+        values = _TWO[0] * one + _TWO[1] * two
+        three = _THREE[0] * one[:, at] + _THREE[1] * two[:, at] + _THREE[2] * least
+        gap = np.abs(three - values[:, at]).max(axis=0)
+        error = _SAFETY * (gap * (max(period[0], period[-1]) / period[at, None]) ** _GROWS).max(
+            axis=0
+        )
+        # sums of products of four entries: in strong growth rounding shows
+        largest = np.abs(y / scale if self.system.is_damped else y).max(axis=(0, 1, 2))
+        return values, error + _ROUNDING * largest**4
 
     def _load_variable(self, load: ArrayLike) -> Array:
         """Return the variable in which the load is interpolated."""
@@ -167,20 +182,15 @@ class ChartSampler:
         top = float(self._load_variable(self.largest_load))
         load = chebyshev_nodes(panel.load_nodes, 0.0, top)
         load = np.sqrt(load) if self.closed_form else load
-        # the error is largest at the longest period: one more level there measures it
-        worst = int(np.argmax(period))
-        longest = period[worst : worst + 1]
         if self.closed_form:
-            runs = [self._values(period, load, level * panel.steps) for level in _LEVELS[:2]]
-            rounding = self._rounding
-            values = np.tensordot(_TWO, runs, 1)
-            least = self._values(longest, load, _LEVELS[2] * panel.steps)
-            three = np.tensordot(_THREE, [runs[0][:, worst], runs[1][:, worst], least[:, 0]], 1)
-            step_error = _SAFETY * np.abs(three - values[:, worst]).max(axis=0) + rounding
+            values, step_error = self._extrapolated(period, load, panel.steps)
         else:
-            values = self._values(period, load, _LEVELS[0] * panel.steps)
-            rough = self._values(longest, load, _LEVELS[1] * panel.steps)
-            step_error = self._characteristic_gap(values[:, worst], rough[:, 0])
+            values = self._propagators(period, load, _LEVELS[0] * panel.steps)
+            # the error is largest at the longest period
+            worst = [int(period.argmax())]
+            rough = self._propagators(period[worst], load, _LEVELS[1] * panel.steps)
+            values, rough = (y.reshape(-1, *y.shape[2:]) for y in (values, rough))
+            step_error = self._characteristic_gap(values[:, worst[0]], rough[:, 0])
         error = 0.0
         coefficients = values @ chebyshev_transform(len(load)).T
         error += float(np.abs(coefficients[..., -1]).max())
@@ -233,24 +243,32 @@ class ChartSampler:
         # rising loads; a bound that never falls
         bound = np.maximum.accumulate(step_error[::-1])
         rows = np.interp(self._load_variable(loads), nodes[::-1], bound)
-        return np.asarray(error + rows * (periods / plan.high) ** 4)
+        return np.asarray(error + rows * (periods / plan.high) ** _GROWS)
+
+    def on_grid(self, loads: Array, periods: Array) -> tuple[NDArray[Any], Array]:
+        """Return the functions (k, R, C) and errors (R, C) at rising loads and all columns."""
+        parts = [
+            self.evaluate(index, loads, periods[panel.columns])
+            for index, panel in enumerate(self.panels)
+        ]
+        errors = [
+            self.coefficient_error(index, loads[:, None], periods[panel.columns])
+            for index, panel in enumerate(self.panels)
+        ]
+        return np.concatenate(parts, axis=-1), np.concatenate(errors, axis=-1)
 
     def growth(
-        self,
-        panel: int,
-        functions: NDArray[Any],
-        loads: Array,
-        periods: Array,
-        nearness: bool = False,
+        self, functions: NDArray[Any], error: Array, periods: Array, nearness: bool = False
     ) -> tuple[Array, Array, Array]:
         """Return growth rates, error bounds and the approach to a collision.
 
         Parameters
         ----------
-        panel : int
         functions : (k, ...)
-            From `evaluate` or `scattered`.
-        loads, periods : (...) float
+            From `on_grid`, `evaluate` or `scattered`.
+        error : (...) float
+            From `on_grid` or `coefficient_error`.
+        periods : (...) float
             Broadcast to the functions' shape.
         nearness : bool
             Whether to fill `approach`.
@@ -260,36 +278,26 @@ class ChartSampler:
         growth, error, approach : (...) float
             `approach` as in `self_inversive_growth`, NaN if damped or without a closed form.
         """
-        error = self.coefficient_error(panel, loads, periods)
-        if not self.closed_form:
-            growth, slack = self._matrix_growth(functions, periods, error)
-            return growth, slack, np.full_like(growth, np.nan)
-        if self.system.is_damped:
-            growth, slack = largest_modulus(functions, error)
-            growth = growth - self.drift.imag * periods
-            approach = np.full_like(growth, np.nan)
-        else:
+        damped = self.system.is_damped
+        if self.closed_form and not damped:
             growth, slack, approach = self_inversive_growth(functions, error, nearness)
+        else:
+            if self.closed_form:
+                growth, slack = largest_modulus(functions, error)
+                growth = growth - self.drift.imag * periods
+            else:
+                size = 2 * self.system.size
+                matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
+                if not damped:
+                    matrix = solved(matrix.conj(), matrix)
+                growth, slack = matrix_growth(matrix, error)
+            approach = np.broadcast_to(np.nan, growth.shape)
         return growth / periods, slack / periods, approach
 
-    def _matrix_growth(
-        self, functions: NDArray[Any], periods: Array, error: Array
-    ) -> tuple[Array, Array]:
-        """Return growth rates from interpolated propagators, one eigenproblem a pixel."""
-        size = 2 * self.system.size
-        matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
-        if not self.system.is_damped:
-            matrix = solved(matrix.conj(), matrix)
-        if not np.isfinite(matrix).all():
-            return (np.full(matrix.shape[:-2], np.nan),) * 2
-        values = np.linalg.eigvals(matrix)
-        modulus = np.abs(values)
-        top = modulus.argmax(axis=-1)[..., None]
-        largest = np.take_along_axis(values, top, -1)
-        gap = np.abs(values - largest)
-        np.put_along_axis(gap, top, np.inf, -1)
-        gap = gap.min(axis=-1)
-        size_of = np.take_along_axis(modulus, top, -1)[..., 0]
-        slack = 2 * size * error * size_of
-        shift = 2 * slack / (gap + np.sqrt(gap**2 + 4 * slack))
-        return np.log(size_of) / periods, shift / size_of / periods
+    def at_points(
+        self, panel: int, loads: Array, periods: Array, nearness: bool = False
+    ) -> tuple[Array, Array, Array]:
+        """Return what `growth` does, at single points (P,) inside one panel that has nodes in T."""
+        functions = self.scattered(panel, loads, periods)
+        error = self.coefficient_error(panel, loads, periods)
+        return self.growth(functions, error, periods, nearness)

@@ -26,7 +26,7 @@ __all__ = [
 Array = NDArray[np.float64]
 
 _CALL_OVERHEAD = 80  # nodes whose work equals NumPy's overhead of a call
-_MARGIN = 7.5  # nodes past the turning point of a Bessel function, for 1e-9
+_MARGIN = 6.5  # nodes past the turning point of a Bessel function, for 1e-8
 _CUTS_PER_OCTAVE = 1
 
 
@@ -139,19 +139,23 @@ def plan_panels(
         Rising in T.
     """
     octave = np.floor(np.log2(periods[-1] / periods) * _CUTS_PER_OCTAVE)
-    cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1), len(periods)]
+    cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1).tolist(), len(periods)]
+    ends = {stop: float(periods[min(stop, len(periods) - 1)]) for stop in cuts}
+    across = {
+        stop: max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
+        for stop, high in ends.items()
+    }
 
     def panel(start: int, stop: int) -> tuple[float, Panel]:
         # up to the next panel's first column, to leave no gap between panels
-        low, high = float(periods[start]), float(periods[min(stop, len(periods) - 1)])
+        low, high, loads = ends[start], ends[stop], across[stop]
         nodes = int(np.ceil(density * _period_nodes(bandwidth, high - low)))
         columns = stop - start
-        loads = max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
         steps = max(1, int(np.ceil(rate * high)))
         if columns <= nodes and low >= resolve:
             nodes = 0
         sampled = nodes or columns
-        made = Panel(slice(int(start), int(stop)), low, high, nodes, loads, steps)
+        made = Panel(slice(start, stop), low, high, nodes, loads, steps)
         return (sampled * loads + _CALL_OVERHEAD) * steps, made
 
     # dynamic programming over the cuts

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import blas
 
 from .modal import ModalBasis
 from .stiffness import largest_exact_load
@@ -20,6 +22,7 @@ from .system import System
 __all__ = ["MAP_SCHEME", "POINT_SCHEME", "Scheme", "propagate", "segment_propagators"]
 
 _ENTRIES_WANTED = 8192  # below, the overhead of a NumPy call outweighs its work
+_WORST_MODES = 1e3  # condition of a load operator's eigenvectors that may be used
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -71,26 +74,40 @@ POINT_SCHEME = _symmetric(
 MAP_SCHEME = Scheme((0.5, 0.5), (1.0,), -1 / 12)
 
 
+@lru_cache(maxsize=64)
+def _load_modes(system: System) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]] | None:
+    """Return eigenvalues, eigenvectors and their inverse of A = M⁻¹Kb, None if nearly defective."""
+    values, modes = np.linalg.eig(np.linalg.solve(system.mass, system.geometric))
+    if np.linalg.cond(modes) > _WORST_MODES:
+        return None
+    return values, modes, np.linalg.inv(modes)
+
+
 def _linear_factors(
     system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
 ) -> tuple[NDArray[Any], NDArray[Any], Factors]:
     """Return V_q, L and the maker of factors for K linear in the load, ΔK = (p̄ − p̄_ref) Kb.
 
-    ΔK and ΔK M⁻¹ ΔK are then two constant operators, each times one number a point.
+    ΔK and ΔK M⁻¹ ΔK are polynomials of one constant operator, A = M⁻¹Kb: in its eigenvectors
+    a kick is a number for each of them.
     """
     n = system.size
-    per_mass = np.linalg.solve(system.mass, system.geometric)
-    operators = [per_mass, per_mass @ per_mass] if gradient else [per_mass]
-    right = np.concatenate(operators) @ basis.vectors[..., :n, :]
-    left = np.concatenate([basis.inverse[..., :, n:]] * len(operators), axis=-1)
+    right, left = basis.vectors[..., :n, :], basis.inverse[..., :, n:]
+    apart = _load_modes(system)
+    if apart is None:
+        operator = np.linalg.solve(system.mass, system.geometric)
+        right = np.concatenate([operator @ right, operator @ operator @ right], axis=-2)
+        left = np.concatenate([left, left], axis=-1)
+    else:
+        right, left = apart[2] @ right, left @ apart[1]
 
     def factors(phase: Array) -> Complex:
         impulse = step * (loads[0] - basis.load + loads[1] * np.cos(phase))
-        table = np.empty((*impulse.shape[:1], len(operators), *impulse.shape[1:]), complex)
-        table[:, 0] = 1j * impulse
-        if gradient:
-            table[:, 1] = (1j * gradient) * impulse * impulse * step
-        return table
+        square = gradient * step * impulse * impulse
+        if apart is None:
+            return np.repeat(1j * np.stack([impulse, square], axis=1), n, axis=1)
+        values = apart[0].reshape(n, *[1] * (impulse.ndim - 1))
+        return np.asarray(1j * (values * impulse[:, None] + values**2 * square[:, None]))
 
     return left, right, factors
 
@@ -133,24 +150,40 @@ def _harmonic_count(system: System, loads: Loads) -> int:
     return int(min(400, max(4, np.ceil(37 / np.log(max(ellipse, 1.01))))))
 
 
-def _multiplier(matrix: NDArray[Any], y: Complex, out: Complex) -> Callable[[], None]:
-    """Return a call that writes matrix @ y over the first axis into `out`, both contiguous."""
+def _multiplier(
+    matrix: NDArray[Any], y: Complex, out: Complex, add: bool = False
+) -> Callable[[], None]:
+    """Return a call that writes matrix @ y over the first axis into `out`, or adds it there.
+
+    Both arrays are contiguous.
+    """
     if matrix.ndim > 2:
         each = np.ascontiguousarray(np.moveaxis(matrix, 0, -1))
 
         def multiply_each() -> None:
-            np.einsum("ikp,kc...p->ic...p", each, y, out=out)
+            product = np.einsum("ikp,kc...p->ic...p", each, y)
+            np.add(product, out, out=out) if add else np.copyto(out, product)
 
         return multiply_each
     source, target = y.reshape(len(y), -1), out.reshape(len(out), -1)
-    if np.isrealobj(matrix):
+    real = np.isrealobj(matrix)
+    if real:
         # one real product serves real and imaginary parts
         source, target = source.view(np.float64), target.view(np.float64)
+    if not add:
 
-    def multiply() -> None:
-        np.matmul(matrix, source, out=target)
+        def multiply() -> None:
+            np.matmul(matrix, source, out=target)
 
-    return multiply
+        return multiply
+    # BLAS adds in the same pass; it wants Fortran's order, so all is transposed
+    gemm = blas.dgemm if real else blas.zgemm
+    turned = np.ascontiguousarray(matrix).T
+
+    def multiply_add() -> None:
+        gemm(1.0, source.T, turned, 1.0, target.T, overwrite_c=1)
+
+    return multiply_add
 
 
 def _chain(y: Complex) -> Complex:
@@ -185,7 +218,7 @@ def propagate(
     turn : float
         π for half a period, 2π for the whole.
     steps : int
-        Number of equal steps; a few more may be taken.
+        Number of equal steps.
     scheme : Scheme
 
     Returns
@@ -201,8 +234,10 @@ def propagate(
     size = 2 * system.size
     grid = np.broadcast_shapes(loads[0].shape, loads[1].shape, span.shape)
     entries = size * size * int(np.prod(grid))
-    segments = max(1, min(steps, _ENTRIES_WANTED // max(entries, 1)))
-    steps = -(-steps // segments)
+    wanted = max(1, min(steps, _ENTRIES_WANTED // max(entries, 1)))
+    # extrapolation needs the very number of steps
+    segments = next(count for count in range(wanted, 0, -1) if steps % count == 0)
+    steps //= segments
     return _chain(segment_propagators(system, basis, loads, span, turn, steps, scheme, segments))
 
 
@@ -235,20 +270,24 @@ def segment_propagators(
     frequencies = np.moveaxis(np.atleast_2d(basis.frequencies), 0, -1)
     frequencies = frequencies.reshape(size, 1, *([1] * len(grid)), -1)
     drifts = [*scheme.drifts[:-1], scheme.drifts[-1] + scheme.drifts[0]]
-    flows = {a: np.exp(1j * a * frequencies * step) for a in {*drifts, scheme.drifts[-1]}}
+    needed = {*drifts, scheme.drifts[-1]}
+    # NumPy multiplies arrays of one shape faster; with many stages they would fill the cache
+    shape = (size, size if len(needed) <= 3 else 1, segments, *grid)
+    flows = {
+        a: np.ascontiguousarray(np.broadcast_to(np.exp(1j * a * frequencies * step), shape))
+        for a in needed
+    }
     times = np.cumsum(scheme.drifts[:-1])
     weights = np.array(scheme.kicks)
     segment = np.arange(segments)
 
     y = np.zeros((size, size, segments, *grid), dtype=np.complex128)
-    y[np.arange(size), np.arange(size)] = 1
-    y *= flows[drifts[0]]
+    diagonal = np.arange(size)
+    y[diagonal, diagonal] = flows[drifts[0]][:, 0]
     force = np.empty((right.shape[-2], *y.shape[1:]), dtype=np.complex128)
-    push = np.empty((left.shape[-1], *y.shape[1:]), dtype=np.complex128)
-    change = np.empty_like(y)
+    push = force if system.is_linear else np.empty_like(force)
     to_force = _multiplier(right, y, force)
-    to_change = _multiplier(left, force if system.is_linear else push, change)
-    groups = force.reshape(-1, system.size, *y.shape[1:])
+    add_change = _multiplier(left, push, y, add=True)
     block = max(1, _ENTRIES_WANTED * 8 // (int(np.prod(grid)) * segments * len(times)))
     for start in range(0, steps, block):
         index = np.arange(start, min(start + block, steps))
@@ -259,11 +298,10 @@ def segment_propagators(
         for stage, factor in enumerate(table):
             to_force()
             if system.is_linear:
-                groups *= factor[:, None, None]
+                force *= factor[:, None]
             else:
                 np.einsum("ik...,kc...->ic...", factor, force, out=push)
-            to_change()
-            y += change
+            add_change()
             which = stage % len(times)
             final = which == len(times) - 1 and index[stage // len(times)] == steps - 1
             y *= flows[scheme.drifts[-1] if final else drifts[which + 1]]

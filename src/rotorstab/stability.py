@@ -20,7 +20,6 @@ Array = NDArray[np.float64]
 
 _GROWTH_ERROR = 1e-5  # pixels that may be worse are computed again, one by one
 _FLOOR = 1e-8  # rounding in a growth rate
-_BLOCK = 8192  # pixels worked on together: what a cache holds
 
 
 @dataclass(frozen=True)
@@ -55,23 +54,6 @@ class StabilityChart:
     unstable: NDArray[np.bool_]
     refined: int
     seeded: int
-
-
-def _evaluate(
-    sampler: ChartSampler, loads: Array, periods: Array, nearness: bool
-) -> tuple[Array, Array, Array]:
-    """Return growth, error and approach of the whole grid, periods rising."""
-    out = np.empty((3, len(loads), len(periods)))
-    for index, panel in enumerate(sampler.panels):
-        columns = periods[panel.columns]
-        rows = max(1, _BLOCK // len(columns))
-        for start in range(0, len(loads), rows):
-            part = slice(start, start + rows)
-            functions = sampler.evaluate(index, loads[part], columns)
-            out[:, part, panel.columns] = sampler.growth(
-                index, functions, loads[part, None], columns, nearness
-            )
-    return out[0], out[1], out[2]
 
 
 def _pole(system: System) -> float:
@@ -168,7 +150,7 @@ def stability_chart(
         loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
-            part, slack, approach = _evaluate(sampler, loads, periods, seed)
+            part, slack, approach = sampler.growth(*sampler.on_grid(loads, periods), periods, seed)
             if refine:
                 refined = _refine(system, static, loads, frequencies[order], part, slack)
         tall = np.array(part)
