@@ -5,6 +5,7 @@ VENV := .venv
 PY := $(VENV)/bin/python
 ADDRESS ?= 127.0.0.1
 PORT ?= 5006
+WORKERS ?= 2
 PIP := $(PY) -m pip --disable-pip-version-check --no-input
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
@@ -16,10 +17,10 @@ help: ## this list
 	@grep -E '^[a-z]+:.*## ' $(firstword $(MAKEFILE_LIST)) | sed 's/:.*## /\t/' | expand -t 14
 
 serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
-	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) deploy/start.sh
+	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) exec deploy/start.sh
 
-lab: $(VENV)/serve.stamp ## serve a class: nginx and ROTORSTAB_WORKERS workers (docs/deploy.md)
-	@ADDRESS=$(ADDRESS) PORT=$(PORT) exec $(PY) deploy/lab.py
+lab: $(VENV)/serve.stamp ## serve a class: nginx before WORKERS workers (docs/deploy.md)
+	@ADDRESS=$(ADDRESS) PORT=$(PORT) ROTORSTAB_WORKERS=$(WORKERS) exec $(PY) deploy/lab.py
 
 test: lint ## every check and test, with a browser (found, or installed)
 	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile

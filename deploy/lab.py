@@ -1,4 +1,4 @@
-"""nginx and identical workers for a class: `python deploy/lab.py`, in the foreground.
+"""nginx and identical workers for a class: `python deploy/lab.py [app]`, in the foreground.
 
 Starts ROTORSTAB_WORKERS workers on loopback and nginx in front of them, starts again what ends,
 and ends all on SIGTERM, the workers first: a running export still leaves through nginx. With
@@ -25,7 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from deploy import nginx
 from deploy.server import logs
 from deploy.server.secret import find_secret
-from deploy.server.settings import SettingError, Settings, read, stop
+from deploy.server.settings import SettingError, Settings, check_port, read, stop
 
 LOG = logging.getLogger("rotorstab.lab")
 SOONEST, LATEST = 0.5, 10.0  # s before a process is started again
@@ -121,7 +121,7 @@ async def serve(settings: Settings, binary: str, folder: Path) -> int:
     if settings.upstream:
         others = [asyncio.create_task(follow(settings, binary, folder, places, ending))]
     else:
-        worker = [sys.executable, str(Path(__file__).with_name("worker.py"))]
+        worker = [sys.executable, str(Path(__file__).with_name("worker.py")), *sys.argv[1:]]
         own = {"ADDRESS": "127.0.0.1", "ROTORSTAB_ORIGINS": ",".join(settings.origins)}
         others = [
             asyncio.create_task(
@@ -153,6 +153,7 @@ def main() -> None:
         settings = read()
         if not settings.upstream:
             os.environ["BOKEH_SECRET_KEY"] = find_secret(settings, make=True)
+        check_port(settings)
     except SettingError as problem:
         stop(problem)
     binary = nginx.find_nginx()

@@ -13,6 +13,7 @@ from .server.settings import Settings
 
 TEMPLATE = "nginx.conf.j2"
 CONNECTIONS = 20  # of a page: six of the browser, the socket, and others that only wait
+MOST_CONNECTIONS = 16_000
 PAGES = {
     # name: status, whether the server restarts, Retry-After
     "404": (404, False, None),
@@ -42,11 +43,12 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
     return environment.get_template(TEMPLATE).render(
         folder=folder,
         listen=f"{address}:{settings.port}",
-        names=list(names),
+        # no other site can take a loopback name, and a technician asks by one
+        names=list(dict.fromkeys([*names, "localhost", "127.0.0.1"])),
         # a port that nobody listens on: the page says that the server restarts
         workers=list(workers) or ["127.0.0.1:9"],
         places=max(places, settings.max_sessions),
-        connections=max(500, CONNECTIONS * places),
+        connections=min(max(500, CONNECTIONS * places), MOST_CONNECTIONS),
         tls=bool(settings.tls_certificate),
         certificate=settings.tls_certificate,
         key=settings.tls_key,

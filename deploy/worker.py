@@ -11,7 +11,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from deploy.server.secret import find_secret
-from deploy.server.settings import SettingError, Settings, read, stop
+from deploy.server.settings import SettingError, Settings, check_port, read, stop
 
 ROOT = Path(__file__).resolve().parents[1]
 LARGEST_MESSAGE = 262_144  # bytes
@@ -43,6 +43,7 @@ def main() -> None:
     try:
         settings = read()
         os.environ["BOKEH_SECRET_KEY"] = find_secret(settings, make=settings.workers == 1)
+        check_port(settings)
     except SettingError as problem:
         stop(problem)
     os.environ |= {"BOKEH_SIGN_SESSIONS": "yes", "BOKEH_RESOURCES": "server"}

@@ -9,8 +9,8 @@ from .settings import Settings
 
 def module(name: str) -> ModuleType | None:
     """Return a module of the served app, or nothing where the app is a single file."""
-    packages = (one for one in sys.modules if one.startswith("bokeh_app_") and "." not in one)
-    package = next(packages, None)
+    names = (one for one in list(sys.modules) if one.startswith("bokeh_app_") and "." not in one)
+    package = next((one for one in names if sys.modules[one].__package__ == one), None)
     return importlib.import_module(f"{package}.{name}") if package else None
 
 

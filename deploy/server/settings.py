@@ -4,8 +4,10 @@ Read once at start, before anything listens; `docs/deploy.md` lists the same tab
 compares them. A value that nobody can have meant stops the start with one line and exit code 2.
 """
 
+import errno
 import os
 import re
+import socket
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
@@ -128,7 +130,7 @@ class Settings:
     unused_lifetime: int = setting(
         "ROTORSTAB_UNUSED_LIFETIME",
         "60",
-        whole(15, 86400),
+        whole(5, 86400),
         "s that a session is kept after its page has gone",
     )
     keep_alive: int = setting(
@@ -197,6 +199,24 @@ def read(environment: Mapping[str, str] = os.environ) -> Settings:
     port = found["port"]
     found["origins"] = found["origins"] or (f"localhost:{port}", f"127.0.0.1:{port}")
     return Settings(**found)
+
+
+def check_port(settings: Settings) -> None:
+    """Raise SettingError where the address or the port cannot be had."""
+    where = f"PORT {settings.port} of {settings.address}"
+    reasons = {
+        errno.EADDRINUSE: f"{where} is in use",
+        errno.EACCES: f"{where} is for root only: choose one from 1024 on",
+        errno.EADDRNOTAVAIL: f"ADDRESS {settings.address} is not one of this machine",
+    }
+    family = socket.AF_INET6 if ":" in settings.address else socket.AF_INET
+    try:
+        with socket.socket(family) as probe:
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            probe.bind((settings.address, settings.port))
+    except OSError as problem:
+        told = reasons.get(problem.errno or 0, f"{where}: {problem.strerror}")
+        raise SettingError(told) from None
 
 
 def stop(problem: object) -> NoReturn:

@@ -1,0 +1,384 @@
+"""The real nginx in front of real workers on loopback, started by the shipped launcher."""
+
+import asyncio
+import contextlib
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from tornado.httpclient import HTTPClientError, HTTPRequest
+from tornado.websocket import websocket_connect
+
+from deploy.nginx import command, find_nginx, write
+from deploy.server.settings import read
+from tests.serving import START, Server, free_port, run
+
+APP = 'import panel as pn\npn.pane.Markdown("throw-away").servable()\n'
+LAB = START.with_name("lab.py")
+PLACES = 14  # of a worker
+PAGES = 22
+PATIENCE = 60  # s; nothing is measured by it
+COOKIE = re.compile(r"rotorstab=([0-9a-f]{32}); Path=/; HttpOnly; SameSite=Lax")
+
+pytestmark = pytest.mark.skipif(
+    find_nginx() is None and not os.environ.get("CI"),
+    reason="nginx is not installed (Debian and Ubuntu: apt-get install nginx-light)",
+)
+
+
+def worker_ports():
+    """Two free ports, one after the other."""
+    while True:
+        first = free_port()
+        with contextlib.suppress(OSError):
+            for port in (first, first + 1):
+                http_free(port)
+            return first, first + 1
+
+
+def http_free(port):
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", port))
+
+
+class Lab(Server):
+    """nginx and two workers of a throw-away app."""
+
+    def __init__(self, folder, **environment):
+        app = folder / "app.py"
+        app.write_text(APP)
+        self.ports = worker_ports()
+        # nginx of root reads it as another user, who may not look into pytest's folders
+        self.temporary = Path(tempfile.mkdtemp(prefix="rotorstab-test-"))
+        self.temporary.chmod(0o755)
+        super().__init__(
+            folder / "log.txt",
+            command=[sys.executable, LAB, app],
+            ROTORSTAB_WORKERS="2",
+            ROTORSTAB_WORKER_PORT=str(self.ports[0]),
+            ROTORSTAB_MAX_SESSIONS=str(PLACES),
+            ROTORSTAB_UNUSED_LIFETIME="5",
+            ROTORSTAB_LOG_FORMAT="json",
+            TMPDIR=str(self.temporary),
+            **environment,
+        )
+
+    def wait(self):
+        """Return once both workers serve."""
+        for port in self.ports:
+            self.wait_for(lambda port=port: self.worker(port, "/health")[0] == 200)
+        return self
+
+    def stop(self):
+        super().stop()
+        shutil.rmtree(self.temporary, ignore_errors=True)
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + PATIENCE
+        while time.monotonic() < deadline and self.process.poll() is None:
+            with contextlib.suppress(OSError, http.client.HTTPException):
+                if condition():
+                    return
+            time.sleep(0.1)
+        pytest.fail("it did not happen:\n" + self.log.read_text())
+
+    def worker(self, port, path):
+        """Status and text of a worker's own answer."""
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=10)
+        with contextlib.closing(connection):
+            connection.request("GET", path)
+            reply = connection.getresponse()
+            return reply.status, reply.read().decode()
+
+    def counts(self, name):
+        """A gauge of each worker."""
+        pattern = re.compile(rf"^rotorstab_{name} (\S+)$", re.M)
+        return [float(pattern.search(self.worker(port, "/metrics")[1])[1]) for port in self.ports]
+
+    def process_of(self, name):
+        """The id of the process that the launcher started last by that name."""
+        found = re.findall(rf"started {name}: process (\d+)", self.log.read_text())
+        return int(found[-1])
+
+    def processes(self):
+        return [int(one) for one in re.findall(r"process (\d+)\"", self.log.read_text())]
+
+    def page(self, cookie=None):
+        """(cookie, token) of a page."""
+        status, headers, page = self.get("/app", **({"Cookie": cookie} if cookie else {}))
+        assert status == 200
+        if cookie is None:
+            cookie = f"rotorstab={COOKIE.fullmatch(headers['Set-Cookie'])[1]}"
+        return cookie, re.search(r'"token":"([^"]+)"', page)[1]
+
+    async def connect(self, cookie, token):
+        """A socket that the server has acknowledged."""
+        request = HTTPRequest(
+            f"ws://localhost:{self.port}/app/ws",
+            headers={"Origin": self.origin, "Cookie": cookie},
+            request_timeout=PATIENCE,
+        )
+        connection = await websocket_connect(request, subprotocols=["bokeh", token])
+        assert "ACK" in await next_fragment(connection)
+        for _ in range(2):
+            await next_fragment(connection)
+        return connection
+
+    @contextlib.asynccontextmanager
+    async def class_of(self, number):
+        """Open so many pages and their sockets, or more until no worker is without one.
+
+        Gives (cookie, socket) of each; closed at the end.
+        """
+        self.wait_for(lambda: not any(self.counts("sessions")))
+        members = []
+        try:
+            while len(members) < number or 0.0 in self.counts("sessions"):
+                cookie, token = await asyncio.to_thread(self.page)
+                members.append((cookie, await self.connect(cookie, token)))
+            yield members
+        finally:
+            for _, connection in members:
+                connection.close()
+
+
+async def next_fragment(connection):
+    return await asyncio.wait_for(connection.read_message(), PATIENCE)
+
+
+async def answers(connection):
+    """Whether a socket still answers a question."""
+    for part in ('{"msgid":"1","msgtype":"PULL-DOC-REQ"}', "{}", "{}"):
+        await connection.write_message(part)
+    header = await next_fragment(connection)
+    if header is None:
+        return False
+    for _ in range(2):
+        await next_fragment(connection)
+    return "PULL-DOC-REPLY" in header
+
+
+def gone(process):
+    """Whether a process has ended; a zombie has."""
+    try:
+        with open(f"/proc/{process}/stat") as file:
+            return file.read().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    lab = Lab(tmp_path_factory.mktemp("lab"))
+    try:
+        # nginx is there long before the workers: it says that the server restarts
+        lab.wait_for(lambda: lab.get("/app"))
+        yield lab.wait()
+    finally:
+        lab.stop()
+
+
+def test_only_the_page_its_socket_and_its_files_are_reached(lab):
+    assert lab.get("/app", method="HEAD")[0] == 200
+    assert lab.get("/")[1]["Location"] == "/app"
+    assert lab.get("/static/js/bokeh.min.js?v=1")[0] == 200
+    for path in (
+        "/metrics",
+        "/health",
+        "/app/metadata",
+        "/app/autoload.js",
+        "/components/panel.layout/Row/_css/a.css",
+        "/static/%2e%2e/metrics",
+        "/static/../metrics",
+        "/static/..%2fmetrics",
+        "/static//../metrics",
+        "/admin",
+        "/app/",
+        "/_full.html",
+    ):
+        status, headers, page = lab.get(path)
+        assert (path, status) == (path, 404)
+        assert headers["X-Frame-Options"] == "DENY"
+        assert headers["Content-Security-Policy"]
+        assert "nginx" not in page
+    assert lab.get("/app", method="POST")[0] == 405
+    assert lab.get("/app?x=" + "1" * 100_000)[0] == 414
+
+
+def test_a_worker_tells_its_numbers_to_this_machine_only(lab):
+    for port in lab.ports:
+        assert lab.worker(port, "/metrics")[0] == 200
+
+
+def test_another_host_is_closed_without_a_word(lab):
+    with pytest.raises(ConnectionResetError):
+        lab.get("/app", Host="other.example")
+    # the sockets too, and the origin is checked by the worker besides
+    cookie, token = lab.page()
+    headers = {"Origin": "http://other.example", "Cookie": cookie}
+    request = HTTPRequest(f"ws://localhost:{lab.port}/app/ws", headers=headers)
+
+    async def attempt():
+        with pytest.raises(HTTPClientError, match="403"):
+            await websocket_connect(request, subprotocols=["bokeh", token])
+
+    run(attempt())
+
+
+def test_the_cookie_is_nginxs_own(lab):
+    forged = "rotorstab=' onerror=alert(1)"
+    headers = lab.get("/app", Cookie=forged)[1]
+    assert COOKIE.fullmatch(headers["Set-Cookie"])
+    assert lab.get("/app", Cookie="rotorstab=" + "a" * 32)[1]["Set-Cookie"] is None
+
+
+def test_large_files_are_compressed(lab):
+    path = "/static/js/bokeh.min.js"
+    connection = http.client.HTTPConnection("127.0.0.1", lab.port, timeout=10)
+    with contextlib.closing(connection):
+        connection.request("GET", path, headers={"Accept-Encoding": "gzip"})
+        reply = connection.getresponse()
+        assert reply.headers["Content-Encoding"] == "gzip"
+        assert len(reply.read()) < 0.5 * len(lab.get(path)[2])
+
+
+def test_a_class_has_as_many_sessions_as_pages_until_it_is_full(lab):
+    """Also where a worker is full and its student goes to the other one."""
+
+    async def lesson():
+        async with lab.class_of(PAGES) as members:
+            counts = await asyncio.to_thread(lab.counts, "sessions")
+            assert sum(counts) == PAGES
+            assert min(counts) > 0
+            assert await asyncio.to_thread(lab.counts, "sockets") == counts
+            assert all([await answers(connection) for _, connection in members])
+
+            for _ in range(2 * PLACES - PAGES):
+                await asyncio.to_thread(lab.page)
+            status, headers, page = await asyncio.to_thread(lab.get, "/app")
+            assert status == 503
+            assert headers["Retry-After"] == "30"
+            assert "All places are taken" in page
+            # who has a place keeps it, and the files are not refused
+            assert all([await answers(connection) for _, connection in members])
+            assert (await asyncio.to_thread(lab.get, "/static/js/bokeh.min.js"))[0] == 200
+
+    run(lesson())
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
+def test_a_worker_that_ends_takes_nobody_else_along(lab, number):
+    async def lesson():
+        async with lab.class_of(8) as members:
+            victim = lab.ports[0]
+            before = await asyncio.to_thread(lab.process_of, f"worker {victim}")
+            homes = Counter()
+            os.kill(before, number)
+            lost = []
+            for cookie, connection in members:
+                try:
+                    alive = await answers(connection)
+                except Exception:  # closed while it was written to
+                    alive = False
+                homes[alive] += 1
+                if not alive:
+                    lost.append((cookie, connection))
+            assert homes[True] > 0
+            assert homes[False] > 0
+            if number == signal.SIGTERM:
+                assert {connection.close_code for _, connection in lost} == {1001}
+            # the victims come back with the cookie they have, at once, on the other worker
+            for cookie, _ in lost:
+                _, token = await asyncio.to_thread(lab.page, cookie)
+                connection = await lab.connect(cookie, token)
+                assert await answers(connection)
+                connection.close()
+            # and the worker comes back
+            await asyncio.to_thread(lab.wait)
+            assert await asyncio.to_thread(lab.process_of, f"worker {victim}") != before
+
+    run(lesson())
+
+
+def test_the_launcher_logs_what_happened_as_json(lab):
+    lines = [line for line in lab.log.read_text().splitlines() if line.startswith("{")]
+    messages = [json.loads(line) for line in lines]
+    assert {"time", "level", "logger", "message"} <= set(messages[0])
+    assert any("again in" in one["message"] for one in messages)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_the_end_leaves_nothing_behind(tmp_path, number):
+    lab = Lab(tmp_path)
+    try:
+        lab.wait()
+        assert lab.page()
+        processes = lab.processes()
+        assert len(processes) == 3
+        os.kill(lab.process.pid, number)
+        code = lab.process.wait(PATIENCE)
+        deadline = time.monotonic() + PATIENCE
+        while not all(map(gone, processes)) and time.monotonic() < deadline:
+            time.sleep(0.1)
+        assert all(map(gone, processes))
+        if number == signal.SIGTERM:
+            assert code == 0
+            assert list(lab.temporary.iterdir()) == []
+    finally:
+        lab.stop()
+
+
+@pytest.mark.parametrize(
+    "environment",
+    [
+        {},
+        {"ADDRESS": "::1"},
+        {"ROTORSTAB_ORIGINS": "lab-pc,lab-pc.example:8080,127.0.0.1"},
+        {"ROTORSTAB_LOG_LEVEL": "debug", "ROTORSTAB_MAX_SESSIONS": "10000"},
+    ],
+)
+def test_nginx_accepts_its_configuration(tmp_path, environment):
+    check(tmp_path, environment | {"PORT": str(free_port())})
+
+
+def test_nginx_accepts_its_configuration_with_tls(tmp_path):
+    folder = tmp_path / "with space"
+    folder.mkdir()
+    names = {"ROTORSTAB_TLS_KEY": "key.pem", "ROTORSTAB_TLS_CERTIFICATE": "certificate.pem"}
+    files = {name: str(folder / file) for name, file in names.items()}
+    certify(*files.values())
+    text = check(tmp_path, files | {"PORT": str(free_port())})
+    assert "; Secure" in text
+    assert "ssl_reject_handshake on" in text
+
+
+def check(folder, environment):
+    """Have nginx test the configuration of some settings; return it."""
+    path = write(read(environment), ["127.0.0.1:5101", "127.0.0.1:5102"], folder)
+    tested = subprocess.run(
+        command(find_nginx(), path, "-t"), capture_output=True, text=True, check=False
+    )
+    assert tested.returncode == 0, tested.stderr
+    assert "warn" not in tested.stderr.replace('the "user" directive makes sense only', "")
+    return path.read_text()
+
+
+def certify(key, certificate):
+    """Make a certificate for a day."""
+    command = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "1"]
+    subprocess.run(
+        [*command, "-subj", "/CN=localhost", "-keyout", key, "-out", certificate],
+        check=True,
+        capture_output=True,
+    )
