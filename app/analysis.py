@@ -6,7 +6,8 @@ it changes. Their size is bounded; their arrays are read-only.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any
 
@@ -18,17 +19,14 @@ from rotorstab import (
     System,
     WhirlCurves,
     bolotin_chart,
-    bolotin_mask,
     campbell_diagram,
     critical_load,
     critical_speeds,
-    finite_element,
     flutter_load,
     fundamental_frequency,
     load_frequency_curves,
     lumped,
     resonances,
-    stability_chart,
 )
 from rotorstab.charts import (
     Chart,
@@ -40,10 +38,10 @@ from rotorstab.charts import (
     stiffness_charts,
 )
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
-from rotorstab.outlines import Outline, unstable_outlines
-from rotorstab.stability import StabilityChart
 from rotorstab.stiffness import largest_exact_load
+from rotorstab.window import Model, Window
 
+from .growth import known_map
 from .state import State
 
 __all__ = [
@@ -53,26 +51,17 @@ __all__ = [
     "Result",
     "error_table",
     "load_kinds",
-    "map_options",
     "model_of",
     "paper_figure",
     "solve",
     "stiffness_comparison",
+    "window_of",
 ]
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
 LOADS = 400
 SPEEDS = 200
-ELEMENTS, MODES = 20, 4
-# rows and columns of the growth map and density of its nodes, while moving and settled
-PIXELS = {
-    ("lumped", False): (48, 96, 0.6),
-    ("lumped", True): (120, 240, 1.0),
-    ("finite elements", False): (20, 40, 0.6),
-    ("finite elements", True): (48, 120, 1.0),
-}
-LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
@@ -135,28 +124,6 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     return np.linspace(low, min(step * np.ceil(far / step), 0.9 * pole), LOADS)
 
 
-@dataclass(frozen=True)
-class Model:
-    """Which system the charts are of, spin speed and tangency apart."""
-
-    rotor: ShaftDisk
-    kind: str = "lumped"
-    law: str = "linear"
-    external_damping: float = 0.0
-    internal_damping: float = 0.0
-
-    def system(self, spin_speed: float, tangency: float, law: str | None = None) -> System:
-        """Return the system; `law` overrides the stiffness law of the lumped model."""
-        damping = self.external_damping, self.internal_damping
-        if self.kind == "lumped":
-            return lumped(self.rotor, spin_speed, tangency, *damping, stiffness=law or self.law)
-        return finite_element(self.rotor, spin_speed, tangency, ELEMENTS, MODES, *damping)
-
-    def undamped(self) -> Model:
-        """Return the model without damping, which is what Bolotin's method is for."""
-        return replace(self, external_damping=0.0, internal_damping=0.0)
-
-
 def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:
     """Return name, tangency and stiffness law of each set of load–frequency curves."""
     shares = {"axial": 0.0, "follower": 1.0}
@@ -189,41 +156,6 @@ def _campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
     return campbell_diagram(model.system(0.0, tangency), speeds, load)
 
 
-def map_options(model: Model, settled: bool) -> dict[str, Any]:
-    """Return how carefully the growth map of a model is made, for `stability_chart`."""
-    return {
-        "density": PIXELS[model.kind, settled][2],
-        "refine": settled and model.kind == "lumped",
-        # where edges are drawn they show the tongues thinner than a pixel
-        "seed": False,
-    }
-
-
-@lru_cache(maxsize=48)
-def _growth(
-    model: Model,
-    spin_speed: float,
-    tangency: float,
-    static_load: float,
-    window: tuple[float, float, float],
-    settled: bool,
-) -> tuple[StabilityChart, np.ndarray]:
-    """Return the growth map of (lowest θ̄, highest θ̄, largest p̄_t) and Bolotin's mask."""
-    low, high, top = window
-    rows, columns, _ = PIXELS[model.kind, settled]
-    loads = (np.arange(rows) + 0.5) / rows * top
-    frequencies = low + (np.arange(columns) + 0.5) / columns * (high - low)
-    growth = stability_chart(
-        model.system(spin_speed, tangency),
-        static_load,
-        loads,
-        frequencies,
-        **map_options(model, settled),
-    )
-    plain = model.undamped().system(spin_speed, tangency)
-    return growth, bolotin_mask(plain, static_load, loads, frequencies)
-
-
 def _frequencies(system: System, load: float) -> dict[str, list[float]]:
     """Return the four whirl frequencies by name, as [real, imaginary]."""
     curves = load_frequency_curves(system, np.linspace(0.0, load, 24) if load else [0.0])
@@ -233,25 +165,47 @@ def _frequencies(system: System, load: float) -> dict[str, list[float]]:
     }
 
 
-@lru_cache(maxsize=128)
-def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
-    inputs = dict(items)
-    model: Model = inputs["model"]
-    rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
-    buckling, frequency, flutter_at_rest = _rotor_numbers(rotor)
+def _reference(inputs: Mapping[str, Any]) -> float:
+    """Return the load that the load factors refer to."""
+    buckling, _, flutter_at_rest = _rotor_numbers(inputs["model"].rotor)
     reference = buckling if inputs["reference"] == "buckling" else flutter_at_rest
     if not np.isfinite(reference):
         raise ValueError(
             "this rotor has no flutter load: let the load factors refer to static buckling"
         )
+    return reference
+
+
+def _window(inputs: Mapping[str, Any]) -> Window:
+    """Return what the growth map depends on."""
+    frequency = _rotor_numbers(inputs["model"].rotor)[1]
+    reference = _reference(inputs)
+    return Window(
+        inputs["model"],
+        inputs["spin_speed"],
+        inputs["tangency"],
+        inputs["static_load_factor"] * reference,
+        inputs["lowest_frequency"] * frequency,
+        inputs["highest_frequency"] * frequency,
+        inputs["largest_factor"] * reference,
+    )
+
+
+@lru_cache(maxsize=128)
+def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
+    inputs = dict(items)
+    model: Model = inputs["model"]
+    rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
+    buckling, frequency, _ = _rotor_numbers(rotor)
+    reference = _reference(inputs)
     static = inputs["static_load_factor"] * reference
     top = inputs["largest_factor"]
     frequency_range = (inputs["lowest_frequency"], inputs["highest_frequency"])
     system = model.system(spin, tangency)
     plain = model.undamped().system(spin, tangency)
     flutter = _flutter(rotor, spin)
-    window = (frequency_range[0] * frequency, frequency_range[1] * frequency, top * reference)
-    growth, mask = _growth(model, spin, tangency, static, window, settled)
+    made = known_map(_window(inputs), settled)
+    growth, mask = made.growth, made.mask
     # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
     centre = growth.growth > growth.error
     grid = GrowthGrid(
@@ -259,7 +213,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
         growth.unstable,
         mask,
         inputs["growth_unit"] == "per period",
-        _outlines(model, spin, tangency, static, window) if settled else (),
+        made.outlines,
     )
     table = resonances(system, static, 0.1 * reference)
     charts = (
@@ -302,22 +256,6 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
     )
 
 
-@lru_cache(maxsize=48)
-def _outlines(
-    model: Model,
-    spin_speed: float,
-    tangency: float,
-    static_load: float,
-    window: tuple[float, float, float],
-) -> tuple[Outline, ...]:
-    """Return the exact edges of the tongues in a window, where they can be had at once."""
-    low, high, top = window
-    low = max(low, LOWEST_EDGE * _rotor_numbers(model.rotor)[1])
-    if model != Model(model.rotor) or high <= low:
-        return ()
-    return unstable_outlines(model.system(spin_speed, tangency), static_load, top, low, high)
-
-
 def model_of(state: State) -> Model:
     """Return the model of the present inputs."""
     return Model(
@@ -325,20 +263,8 @@ def model_of(state: State) -> Model:
     )
 
 
-def solve(state: State, settled: bool = True) -> Result:
-    """Return the charts and key numbers of the state's present inputs.
-
-    Parameters
-    ----------
-    state : State
-    settled : bool
-        False while sliders move: the growth map is coarser.
-
-    Raises
-    ------
-    ValueError
-        With words for the page, where these inputs have no answer.
-    """
+def _drawn(state: State) -> dict[str, Any]:
+    """Return the inputs that the Explore page's results depend on."""
     inputs = state.inputs()
     drawn = {
         name: inputs[name]
@@ -355,7 +281,29 @@ def solve(state: State, settled: bool = True) -> Result:
     }
     drawn["tangency"] = state.effective_tangency()
     drawn["model"] = model_of(state)
-    return _solve(tuple(drawn.items()), settled)
+    return drawn
+
+
+def window_of(state: State) -> Window:
+    """Return the window of the state's growth map; ValueError as `solve`."""
+    return _window(_drawn(state))
+
+
+def solve(state: State, settled: bool = True) -> Result:
+    """Return the charts and key numbers of the state's present inputs.
+
+    Parameters
+    ----------
+    state : State
+    settled : bool
+        False while sliders move: the growth map is coarser.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where these inputs have no answer.
+    """
+    return _solve(tuple(_drawn(state).items()), settled)
 
 
 @lru_cache(maxsize=128)

@@ -6,20 +6,16 @@ It is started at the first picture and again after it died; what it makes is kep
 
 from __future__ import annotations
 
-import multiprocessing
-import os
-import sys
 from collections import OrderedDict
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
-from multiprocessing.connection import wait
-from threading import Lock, Thread
-from types import ModuleType
+from threading import Lock
 
 from rotorstab import export, plots_paper
 from rotorstab.figures import Figure
+
+from .processes import no_main, start_pool
 
 __all__ = ["FORMATS", "MIME", "Printer", "gather", "printer"]
 
@@ -33,30 +29,6 @@ MIME = {
 }
 FORMATS = ("pdf", "svg", "png", "csv", "json")
 _TABLES = {"csv": export.figure_csv, "json": export.figure_json}
-
-
-def _end_with_server() -> None:
-    """End this process when the server is gone, however it went; nothing else would."""
-    server = multiprocessing.parent_process()
-    assert server is not None
-
-    def watch() -> None:
-        wait([server.sentinel])
-        os._exit(1)
-
-    Thread(target=watch, daemon=True).start()
-
-
-@contextmanager
-def _no_main() -> Iterator[None]:
-    """Hide the main module: a spawned process would run it again, and while a session is
-    built it is the app itself."""
-    main = sys.modules["__main__"]
-    sys.modules["__main__"] = ModuleType("__main__")
-    try:
-        yield
-    finally:
-        sys.modules["__main__"] = main
 
 
 class Printer:
@@ -100,12 +72,9 @@ class Printer:
     def _draw(self, figure: Figure, kind: str) -> Future[dict[str, bytes]]:
         for _ in range(2):
             if self._pool is None:
-                # spawn: a fork would carry the server's sockets along
-                self._pool = ProcessPoolExecutor(
-                    1, multiprocessing.get_context("spawn"), initializer=_end_with_server
-                )
+                self._pool = start_pool()
             try:
-                with _no_main():
+                with no_main():
                     return self._pool.submit(plots_paper.figure_files, figure, (kind,))
             except (BrokenProcessPool, RuntimeError):
                 self._pool = None

@@ -21,6 +21,7 @@ from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import FORMATS, MIME, gather, printer
 from .report import report_html
+from .settling import Settling
 from .share import describe_problems, from_arguments, pins_from_arguments, to_query
 from .snippet import python_snippet
 from .state import State
@@ -58,6 +59,7 @@ class Session:
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
         self.notice = ""
+        self.settling = Settling(self._show_settled)
         self.redraw()
 
     def roots(self) -> dict[str, Any]:
@@ -101,14 +103,17 @@ class Session:
         if reply.later is not None:
             self._deliver(reply)
         # a change is one step of many: the full picture comes when the browser says so
-        return self.redraw(settled=kind != "change") | {
-            **reply.now,
+        at_rest = kind != "change"
+        return self.redraw(at_rest) | reply.now | self._described(errors, at_rest)
+
+    def _described(self, errors: Mapping[str, str], at_rest: bool = True) -> dict[str, Any]:
+        return {
             "values": self.state.inputs(),
             "errors": errors,
             "notice": self.notice,
             "address_notice": describe_problems(*self._problems),
             "query": self.query(),
-            "at_rest": kind != "change",
+            "at_rest": at_rest,
             "page": self.active,
         }
 
@@ -209,10 +214,22 @@ class Session:
         for page in self.pages.values():
             page.reset_view()
 
-    def redraw(self, settled: bool = True) -> dict[str, Any]:
-        """Solve and patch; a failure is told and leaves the last good picture."""
+    def _show_settled(self) -> None:
+        """Show the full picture, which was asked for and is there now."""
+        with pn.io.hold():
+            answer = self.redraw(wait=True)
+            self.controls.tell(answer | self._described({}))
+
+    def redraw(self, settled: bool = True, wait: bool = False) -> dict[str, Any]:
+        """Solve and patch; a failure is told and leaves the last good picture.
+
+        A full picture that takes long is made elsewhere and shown when it is there; until
+        then the coarse one is, unless the caller would rather wait.
+        """
         page = self.pages[self.active]
         try:
+            window = page.awaited(self.state) if settled and not wait else None
+            settled = self.settling.is_there(window) and settled
             with pn.io.hold():
                 page.show(self.state, settled)
             self.notice = ""

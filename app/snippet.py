@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+from rotorstab.window import ELEMENTS, MODES, PIXELS, map_options
+
 from .analysis import (
     BOUNDARY_ROWS,
-    ELEMENTS,
     LARGEST_SPEED,
     LOADS,
-    MODES,
-    PIXELS,
     SPEEDS,
     Result,
     load_kinds,
-    map_options,
     model_of,
     solve,
 )

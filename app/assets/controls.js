@@ -45,6 +45,8 @@ export function render({ model, el }) {
   model.on("msg:custom", (answer) => {
     const data = answer.data ?? answer;
     if (data.seq) release(data.seq);
+    // a full picture that was made meanwhile is not the answer to what moved since
+    else if (data.values && (state.inflight || Object.keys(state.pending).length)) return;
     if (data.values) state.values = data.values;
     if (data.values) for (const [name, row] of Object.entries(rows)) {
       const error = (data.errors || {})[name] || "";

@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 import panel as pn
 
 from rotorstab.charts import Chart
+from rotorstab.window import Window
 
 from ..live import LiveChart
 from ..share import PinnedInputs
@@ -66,6 +67,10 @@ class Page:
     def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
+
+    def awaited(self, state: State) -> Window | None:
+        """Return the window whose full map must be made before `show` is quick, if any."""
+        return None
 
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells the charts from others of the same inputs; all of it can be hashed."""

@@ -10,8 +10,10 @@ from typing import Any
 from bokeh.models import CustomJS
 
 from rotorstab.charts import Chart
+from rotorstab.window import Window
 
-from ..analysis import CHARTS, Result, solve
+from ..analysis import CHARTS, Result, solve, window_of
+from ..growth import is_known
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
 from ..pins import Pin, differences, ghosted, pin, solved
 from ..rotor_file import read_rotor_file, write_rotor_file
@@ -60,6 +62,14 @@ class Explore(Page):
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
         return charts
+
+    def awaited(self, state: State) -> Window | None:
+        """Return the window of the growth map until its settled map is there."""
+        try:
+            window = window_of(state)
+        except ValueError:  # `compute` says it in words
+            return None
+        return None if is_known(window) else window
 
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells these charts from others of the same inputs."""

@@ -80,6 +80,9 @@ def run_until_shutdown(server, seconds):
     printing = dashboard.module("printing")
     if printing:
         printing.printer.close()
+    processes = dashboard.module("processes")
+    if processes:
+        processes.background.close()
 
 
 def install(settings: Settings):

@@ -1,0 +1,126 @@
+"""What Floquet says of a chart's window: growth map, Bolotin's mask, exact edges.
+
+Arguments and results can be pickled, so that another process can make the map.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .bolotin import bolotin_mask
+from .finite_element import finite_element
+from .outlines import Outline, unstable_outlines
+from .rotor import ShaftDisk
+from .stability import StabilityChart, stability_chart
+from .system import System, fundamental_frequency, lumped
+
+__all__ = [
+    "ELEMENTS",
+    "MODES",
+    "PIXELS",
+    "FloquetMap",
+    "Model",
+    "Window",
+    "floquet_map",
+    "map_options",
+]
+
+ELEMENTS, MODES = 20, 4
+# rows and columns of the growth map and density of its nodes, while moving and settled
+PIXELS = {
+    ("lumped", False): (48, 96, 0.6),
+    ("lumped", True): (120, 240, 1.0),
+    ("finite elements", False): (20, 40, 0.6),
+    ("finite elements", True): (48, 120, 1.0),
+}
+LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
+
+
+@dataclass(frozen=True)
+class Model:
+    """Which system the charts are of, spin speed and tangency apart."""
+
+    rotor: ShaftDisk
+    kind: str = "lumped"
+    law: str = "linear"
+    external_damping: float = 0.0
+    internal_damping: float = 0.0
+
+    def system(self, spin_speed: float, tangency: float, law: str | None = None) -> System:
+        """Return the system; `law` overrides the stiffness law of the lumped model."""
+        damping = self.external_damping, self.internal_damping
+        if self.kind == "lumped":
+            return lumped(self.rotor, spin_speed, tangency, *damping, stiffness=law or self.law)
+        return finite_element(self.rotor, spin_speed, tangency, ELEMENTS, MODES, *damping)
+
+    def undamped(self) -> Model:
+        """Return the model without damping, which is what Bolotin's method is for."""
+        return replace(self, external_damping=0.0, internal_damping=0.0)
+
+
+def map_options(model: Model, settled: bool) -> dict[str, Any]:
+    """Return how carefully the growth map of a model is made, for `stability_chart`."""
+    return {
+        "density": PIXELS[model.kind, settled][2],
+        "refine": settled and model.kind == "lumped",
+        # where edges are drawn they show the tongues thinner than a pixel
+        "seed": False,
+    }
+
+
+@dataclass(frozen=True)
+class Window:
+    """What Floquet is asked: a system, its steady load, and the chart's window.
+
+    `low` and `high` are excitation frequencies θ̄, `top` is the largest pulsating load.
+    """
+
+    model: Model
+    spin_speed: float
+    tangency: float
+    static_load: float
+    low: float
+    high: float
+    top: float
+
+
+@dataclass(frozen=True, eq=False)
+class FloquetMap:
+    """The growth map of a window, Bolotin's mask on its pixels, and exact edges if settled."""
+
+    growth: StabilityChart
+    mask: NDArray[np.bool_]
+    outlines: tuple[Outline, ...]
+
+
+def floquet_map(window: Window, settled: bool) -> FloquetMap:
+    """Return the map of a window; a settled one takes some ten times longer."""
+    model = window.model
+    rows, columns, _ = PIXELS[model.kind, settled]
+    loads = (np.arange(rows) + 0.5) / rows * window.top
+    span = window.high - window.low
+    frequencies = window.low + (np.arange(columns) + 0.5) / columns * span
+    growth = stability_chart(
+        model.system(window.spin_speed, window.tangency),
+        window.static_load,
+        loads,
+        frequencies,
+        **map_options(model, settled),
+    )
+    plain = model.undamped().system(window.spin_speed, window.tangency)
+    mask = bolotin_mask(plain, window.static_load, loads, frequencies)
+    return FloquetMap(growth, mask, _outlines(window) if settled else ())
+
+
+def _outlines(window: Window) -> tuple[Outline, ...]:
+    """Return the exact edges of the tongues in a window, where they can be had at once."""
+    model = window.model
+    low = max(window.low, LOWEST_EDGE * fundamental_frequency(lumped(model.rotor, 0.0, 1.0)))
+    if model != Model(model.rotor) or window.high <= low:
+        return ()
+    system = model.system(window.spin_speed, window.tangency)
+    return unstable_outlines(system, window.static_load, window.top, low, window.high)
