@@ -125,14 +125,13 @@ class User:
         await self._next("ACK")
         await _PROTOCOL.create("PULL-DOC-REQ").send(self._wire)
         pulled = await self._next("PULL-DOC-REPLY")
-        # the page's one component
-        self._controls = next(
-            root["id"]
-            for root in pulled.content["doc"]["roots"]
-            if "esm" in root["attributes"]
-        )
+        self._find(pulled.content["doc"]["roots"])
         self._reader = asyncio.create_task(self._read())
         await self._tell("document_ready", {"type": "map"})
+
+    def _find(self, roots):
+        """Remember the page's one component."""
+        self._controls = next(root["id"] for root in roots if "esm" in root["attributes"])
 
     async def _next(self, kind=None):
         """Return the next message, of a kind; its bytes are its `size`."""

@@ -18,6 +18,7 @@ from rotorstab import plots
 
 COUNT = int(os.environ["FLOOR_COUNT"])
 SIZES = json.loads(os.environ["FLOOR_SIZES"])
+DRAGGED = os.environ.get("FLOOR_DRAGGED", "1") == "1"
 
 figures, sources = {}, {}
 for key, chart in charts().items():
@@ -62,7 +63,7 @@ def slider_of(name):
     """Return a stock slider whose callback only looks up and sets."""
     parameter = State.param[name]
     low, high = parameter.bounds
-    table = [parameter.default, *values(name, COUNT), *drag(name)]
+    table = [parameter.default, *values(name, COUNT), *(drag(name) if DRAGGED else ())]
     moving = moving_columns(name, table)
     ready = {value: patches(name, value, moving) for value in table}
     made = Slider(

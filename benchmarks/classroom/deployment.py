@@ -1,0 +1,115 @@
+"""The deployment under test: nginx and workers as shipped, on loopback, of a folder of its own."""
+
+import re
+import signal
+import socket
+import sys
+import time
+from pathlib import Path
+
+from prometheus_client.parser import text_string_to_metric_families
+
+from tests.serving import START, Server, free_port
+
+LAB = START.with_name("lab.py")
+ENDING = 30  # s
+
+
+def free_ports(count):
+    """Return the first of some ports in a row that are free."""
+    while True:
+        first = free_port()
+        if first + count < 65000 and all(is_free(first + i) for i in range(count)):
+            return first
+
+
+def is_free(port):
+    """Whether nobody listens on a port of loopback."""
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) != 0
+
+
+class Deployment(Server):
+    """`python deploy/lab.py` with some workers; ended with all that it started."""
+
+    def __init__(self, folder, workers=2, **environment):
+        self.first_port, self.count = free_ports(workers), workers
+        super().__init__(
+            Path(folder) / "lab.txt",
+            command=[sys.executable, LAB],
+            ROTORSTAB_WORKERS=str(workers),
+            ROTORSTAB_WORKER_PORT=str(self.first_port),
+            **environment,
+        )
+
+    def wait(self):
+        """Return once every worker answers through its own port, and nginx does."""
+        deadline = time.monotonic() + 180
+        while time.monotonic() < deadline and self.process.poll() is None:
+            try:
+                self.get("/nowhere", Host=self.origin.removeprefix("http://"))
+                if len(self.metrics()) == self.count:
+                    return self
+            except OSError:
+                pass
+            time.sleep(0.2)
+        self.stop()
+        raise RuntimeError("the deployment did not start:\n" + self.log.read_text())
+
+    def workers(self):
+        """Return {port: process id} of the workers that run."""
+        found = {}
+        for entry in Path("/proc").iterdir():
+            if not entry.name.isdigit():
+                continue
+            try:
+                parent = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+                port = re.search(rb"\0PORT=(\d+)\0", (entry / "environ").read_bytes())
+                words = (entry / "cmdline").read_bytes()
+            except OSError:
+                continue
+            if parent == self.process.pid and port and b"worker.py" in words:
+                found[int(port[1])] = int(entry.name)
+        return found
+
+    def memory(self):
+        """Return {port: resident memory [MB]} of the workers, without their helpers."""
+        return {port: resident(process) for port, process in self.workers().items()}
+
+    def metrics(self):
+        """Return {port: {name of a sample: its value}} of the workers that answer."""
+        found = {}
+        for port in range(self.first_port, self.first_port + self.count):
+            worker = object.__new__(Server)
+            worker.port = port
+            try:
+                status, _, text = worker.get("/metrics", Host=self.origin.removeprefix("http://"))
+            except OSError:
+                continue
+            if status == 200:
+                found[port] = {
+                    sample.name
+                    + "".join(f" {value}" for value in sample.labels.values()): sample.value
+                    for family in text_string_to_metric_families(text)
+                    for sample in family.samples
+                }
+        return found
+
+    def total(self, name):
+        """Return the sum of a sample over all workers."""
+        return sum(one.get(name, 0.0) for one in self.metrics().values())
+
+    def stop(self):
+        """End the launcher, which ends all else."""
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+            try:
+                self.process.wait(ENDING)
+            except Exception:
+                super().stop()
+
+
+def resident(process):
+    """Return the resident memory of a process [MB]."""
+    text = Path(f"/proc/{process}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+)", text)[1]) / 1024

@@ -1,0 +1,91 @@
+"""Opening, holding and leaving: a class that arrives, a full house, months of visitors."""
+
+import asyncio
+import time
+
+import numpy as np
+
+from .client import Refused, User
+
+SLOPE = 0.05  # MB a cycle
+
+
+async def arrive(origin, count, seconds, seed=1):
+    """Open pages at random moments of some seconds; return users and the refusals."""
+    moments = np.sort(np.random.default_rng(seed).uniform(0, seconds, count))
+    refused = []
+
+    async def enter(moment):
+        await asyncio.sleep(moment)
+        user = User(origin)
+        try:
+            await user.open()
+        except Exception as problem:
+            refused.append(repr(problem))
+        return user
+
+    users = await asyncio.gather(*map(enter, moments))
+    return [user for user in users if user.connected], refused
+
+
+async def fill(origin, most, together=4):
+    """Open pages until one is refused; return the users and the refusal, None where none was."""
+    users, refusals = [], []
+
+    async def enter():
+        while not refusals and len(users) < most:
+            user = User(origin)
+            users.append(user)
+            try:
+                await user.open()
+            except Refused as refusal:
+                users.remove(user)
+                refusals.append(refusal)
+
+    await asyncio.gather(*(enter() for _ in range(together)))
+    return users, refusals[0] if refusals else None
+
+
+def is_polite(refusal):
+    """Whether a refusal says when to come again and what happens, in a page of its own."""
+    wait = refusal.headers.get("Retry-After", "")
+    return refusal.code == 503 and wait.isdigit() and "<html" in refusal.body.lower()
+
+
+async def cycle(origin, number):
+    """Open a page, move a slider, leave."""
+    user = User(origin)
+    await user.open()
+    await user.change(spin_speed=float(f"{(number % 200) / 100:.12g}"))
+    await user.close()
+
+
+async def come_and_go(deployment, count, every=10, together=2):
+    """Open, use and close many times; return (cycles, memory of all workers [MB]) as arrays."""
+    points, done = [], 0
+
+    async def worker():
+        nonlocal done
+        while done < count:
+            done += 1
+            number = done
+            await cycle(deployment.origin, number)
+            if number % every == 0:
+                points.append((number, sum(deployment.memory().values())))
+
+    await asyncio.gather(*(worker() for _ in range(together)))
+    return np.array(sorted(points), float).T
+
+
+def slope(cycles, memory, warm):
+    """Return the growth of memory after a number of cycles [MB a cycle], by a straight line."""
+    kept = cycles > warm
+    return float(np.polyfit(cycles[kept], memory[kept], 1)[0])
+
+
+async def empty(deployment, patience=180):
+    """Wait until the workers hold no session; return how many they still hold at the end."""
+    deadline = time.monotonic() + patience
+    while (left := deployment.total("rotorstab_sessions")) and time.monotonic() < deadline:
+        await asyncio.sleep(1)
+    return int(left)
