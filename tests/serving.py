@@ -27,6 +27,15 @@ def run(coroutine):
         return pool.submit(asyncio.run, coroutine).result()
 
 
+def ended(process):
+    """Whether a process has ended; a zombie has."""
+    try:
+        with open(f"/proc/{process}/stat") as file:
+            return file.read().rpartition(")")[2].split()[0] == "Z"
+    except OSError:
+        return True
+
+
 class Server:
     """A server of its own port and process group, ended by its own process id.
 

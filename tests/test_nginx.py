@@ -22,7 +22,7 @@ from tornado.websocket import websocket_connect
 
 from deploy.nginx import command, find_nginx, write
 from deploy.server.settings import read
-from tests.serving import START, Server, free_port, run
+from tests.serving import START, Server, ended, free_port, run
 
 APP = 'import panel as pn\npn.pane.Markdown("throw-away").servable()\n'
 LAB = START.with_name("lab.py")
@@ -167,15 +167,6 @@ async def answers(connection):
     for _ in range(2):
         await next_fragment(connection)
     return "PULL-DOC-REPLY" in header
-
-
-def gone(process):
-    """Whether a process has ended; a zombie has."""
-    try:
-        with open(f"/proc/{process}/stat") as file:
-            return file.read().rpartition(")")[2].split()[0] == "Z"
-    except OSError:
-        return True
 
 
 @pytest.fixture(scope="module")
@@ -329,9 +320,9 @@ def test_the_end_leaves_nothing_behind(tmp_path, number):
         os.kill(lab.process.pid, number)
         code = lab.process.wait(PATIENCE)
         deadline = time.monotonic() + PATIENCE
-        while not all(map(gone, processes)) and time.monotonic() < deadline:
+        while not all(map(ended, processes)) and time.monotonic() < deadline:
             time.sleep(0.1)
-        assert all(map(gone, processes))
+        assert all(map(ended, processes))
         if number == signal.SIGTERM:
             assert code == 0
             assert list(lab.temporary.iterdir()) == []

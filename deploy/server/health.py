@@ -57,12 +57,12 @@ class Watchdog:
         self._beats += 1
         faulthandler.dump_traceback_later(self.hang + SPARE, exit=True)
 
-    def watch(self):
+    def watch(self, sleep=time.sleep):
         """Count the beats that are missed, by this thread's own turns: where the whole process
         was stopped, neither of the two has turned."""
         missed, last = 0, 0
         while True:
-            time.sleep(BEAT)
+            sleep(BEAT)
             missed = missed + 1 if self._beats == last else 0
             last = self._beats
             if missed == min(LOGGED_AFTER, self.hang):
