@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -130,7 +132,9 @@ def _approach(y: Array, first: Array, second: Array) -> Array:
     return np.asarray(np.where(first > 2, within, np.maximum(within, across)))
 
 
-def largest_modulus(coefficients: Complex, error: Array | float = 0.0) -> tuple[Array, Array]:
+def largest_modulus(
+    coefficients: Complex, error: Array | float = 0.0, nearness: bool = False
+) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of general quartics and how far it may be wrong.
 
     Parameters
@@ -138,10 +142,15 @@ def largest_modulus(coefficients: Complex, error: Array | float = 0.0) -> tuple[
     coefficients : (3, ...) complex
     error : (...) float
         Bound on the errors of the coefficients.
+    nearness : bool
+        Whether to fill `approach`.
 
     Returns
     -------
     growth, uncertainty : (...) float
+    approach : (...) float
+        Largest Re cosh ln(μ_i/μ_j) − 1 of two multipliers, as in `self_inversive_growth`; NaN if
+        not asked for.
     """
     roots = quartic_multipliers(coefficients)
     modulus = np.abs(roots)
@@ -153,7 +162,14 @@ def largest_modulus(coefficients: Complex, error: Array | float = 0.0) -> tuple[
     first, second = np.abs(slope), np.abs(bend)
     with np.errstate(divide="ignore", invalid="ignore"):
         shift = 2 * slack / (first + np.sqrt(first**2 + 4 * slack * second))
-    return np.log(size), np.asarray(shift / size)
+    approach: Array = np.broadcast_to(np.nan, size.shape)
+    if nearness:
+        pairs = [
+            ((roots[i] - roots[j]) ** 2 / (2 * roots[i] * roots[j])).real
+            for i, j in combinations(range(4), 2)
+        ]
+        approach = np.max(pairs, axis=0)
+    return np.log(size), np.asarray(shift / size), approach
 
 
 def matrix_growth(monodromy: Complex, error: Array | float = 0.0) -> tuple[Array, Array]:

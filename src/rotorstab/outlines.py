@@ -1,9 +1,8 @@
 """Outlines of everything that Floquet finds unstable in a window, fast enough to draw live.
 
-`tongues.tongue_edges` follows named tongues to 1e-9, one point at a time. Here every
-unstable interval of every row of loads is found on the interpolated characteristic polynomial
-of the chart, refined there and linked from row to row: combination resonances, all orders,
-tongues that merge, and ground that no tongue explains.
+`tongues.tongue_edges` follows named tongues, one point at a time. Here every unstable interval
+of every row of loads is found by `intervals` and linked from row to row: combination
+resonances, all orders, tongues that merge, and ground that no tongue explains.
 """
 
 from __future__ import annotations
@@ -11,29 +10,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .checks import number
+from .intervals import Interval, unstable_intervals
 from .resonance import ResonanceTable, resonances
-from .sampler import ChartSampler
+from .stiffness import largest_exact_load
 from .system import System
 
 __all__ = ["Outline", "unstable_outlines"]
 
 Array = NDArray[np.float64]
-Runs = tuple[NDArray[np.intp], Array, Array]
 
-_PER_OCTAVE = (220, 110)  # columns, even in T: in the upper four octaves, below
-_GROWTH = 1e-8  # smallest growth rate that counts
-_NEAREST = -1.0  # approach below which a pair is too far apart to meet within a column
-_SHRINK = (0.3, 0.03)  # half-widths of the parabolas, in columns
-_TOUCH = 1e-12
-_FAR = 0.05  # of a parabola's bend over a column: error allowed its estimated top
-_ROUNDS = 6  # of false position, from brackets a column wide
 _ORDERS = 9  # highest θ̄ = |ω_i − ω_j|/k that is named
+_NEAR_POLE = 0.9  # of the way to the pole of the exact stiffness: rows end there
 _DRIFT = 0.012  # of θ̄: farthest unexplained move of a narrow tongue in a row
 
 
@@ -65,27 +57,18 @@ class Outline:
         return float(np.trapezoid(self.right - self.left, self.pulsating_loads))
 
 
-class _Interval(NamedTuple):
-    left: float
-    right: float
-
-    @property
-    def centre(self) -> float:
-        return (self.left + self.right) / 2
-
-
 @dataclass
 class _Chain:
     """An outline that grows row by row."""
 
     loads: list[float] = field(default_factory=list)
-    ends: list[_Interval] = field(default_factory=list)
+    ends: list[Interval] = field(default_factory=list)
 
-    def add(self, load: float, end: _Interval) -> None:
+    def add(self, load: float, end: Interval) -> None:
         self.loads.append(load)
         self.ends.append(end)
 
-    def predicted(self, load: float) -> _Interval:
+    def predicted(self, load: float) -> Interval:
         """Return where the next row's interval should be: centres are even in the load."""
         last = self.ends[-1]
         if len(self.ends) < 2 or self.loads[-1] == self.loads[-2]:
@@ -93,7 +76,7 @@ class _Chain:
         before = self.ends[-2]
         run = (load**2 - self.loads[-1] ** 2) / (self.loads[-1] ** 2 - self.loads[-2] ** 2)
         shift = run * (last.centre - before.centre)
-        return _Interval(last.left + shift, last.right + shift)
+        return Interval(last.left + shift, last.right + shift)
 
 
 def unstable_outlines(
@@ -109,7 +92,7 @@ def unstable_outlines(
     Parameters
     ----------
     system : System
-        Undamped, two coordinates, one spin speed.
+        Two coordinates, one spin speed; damped or not, any stiffness law.
     static_load, largest_load : float
         p̄₀ and the top of p̄_t [EI/L²]; the second above 0.
     lowest_frequency, highest_frequency : float
@@ -126,14 +109,15 @@ def unstable_outlines(
     Raises
     ------
     ValueError
-        If an argument is out of range or the system is damped or larger.
+        If an argument is out of range or the system is larger.
 
     Notes
     -----
-    Edges are roots of the collision measure of two multipliers, within 1e-4 of θ̄. Not seen:
-    a tongue whose growth rate is below the chart's error, some 1e-5, such as thin cusps of high
-    order at small loads, and a gap between two tongues narrower than 0.3 % of θ̄ (0.6 % in the
-    lowest octaves). `tongues.tongue_edges` is exact where that matters.
+    Edges are roots of the collision measure of two multipliers, with damping of the growth
+    rate, to 1e-6 of θ̄ (1e-5 where a tongue is thinner than that times 10). Past the pole of the
+    exact stiffness there are no rows. Not seen: a tongue whose growth rate is below the chart's
+    error, some 1e-6, such as thin cusps of high order at small loads, and a gap between two
+    tongues narrower than 0.3 % of θ̄ (0.6 % in the lowest octaves).
 
     Examples
     --------
@@ -142,19 +126,24 @@ def unstable_outlines(
     >>> pieces[0].name, pieces[0].order
     ('1B+1F', 1)
     """
-    if system.is_damped or system.size != 2 or system.spin_speed.ndim:
-        raise ValueError("`system` must be undamped, of two coordinates and one spin speed")
+    if system.size != 2 or system.spin_speed.ndim:
+        raise ValueError("`system` must be of two coordinates and one spin speed")
     static = number("static_load", static_load)
     largest = number("largest_load", largest_load, 0.0, open_low=True)
     low = number("lowest_frequency", lowest_frequency, 0.0, open_low=True)
     high = number("highest_frequency", highest_frequency, low, open_low=True)
+    if system.exact_shear is not None:
+        room = _NEAR_POLE * (float(largest_exact_load(system.exact_shear)) - static)
+        largest = min(largest, room)
+        if largest <= 0:
+            return ()
     loads = np.linspace(0.0, largest, int(number("rows", rows, 8)))
-    found = _intervals(system, static, loads[1:], low, high)
-    table = resonances(system, static, largest)
-    roots = _roots(table)
+    found = unstable_intervals(system, static, loads[1:], low, high)
+    roots = _roots(resonances(system, static, largest))
     step = float(loads[1])
-    chains = _link(loads[1:], found, step)
-    return tuple(_outline(chain, roots, step) for chain in chains)
+    return tuple(
+        _outline(chain, roots, step, system.is_damped) for chain in _link(loads[1:], found, step)
+    )
 
 
 def _roots(table: ResonanceTable) -> list[tuple[float, str, int]]:
@@ -167,156 +156,8 @@ def _roots(table: ResonanceTable) -> list[tuple[float, str, int]]:
     ]
 
 
-def _columns(low: float, high: float) -> Array:
-    """Return periods, rising, even within each octave."""
-    shortest, longest = 2 * np.pi / high, 2 * np.pi / low
-    octaves = max(1, int(np.ceil(np.log2(longest / shortest))))
-    cuts = shortest * (longest / shortest) ** (np.arange(octaves + 1) / octaves)
-    parts = [
-        np.linspace(a, b, _PER_OCTAVE[k >= 4], endpoint=False)
-        for k, (a, b) in enumerate(pairwise(cuts.tolist()))
-    ]
-    return np.append(np.concatenate(parts), longest)
-
-
-def _intervals(
-    system: System, static: float, loads: Array, low: float, high: float
-) -> list[list[_Interval]]:
-    """Return the unstable intervals of θ̄ of each row, from left to right."""
-    periods = _columns(low, high)
-    sampler = ChartSampler(system, static, float(loads[-1]), periods)
-    edges: list[Runs] = []
-    for index, panel in enumerate(sampler.panels):
-        # up to the next panel's first column, so that they meet
-        span = periods[panel.columns.start : panel.columns.stop + 1]
-        error = sampler.coefficient_error(index, loads[:, None], span)
-        growth, error, approach = sampler.growth(
-            sampler.evaluate(index, loads, span), error, span, nearness=True
-        )
-        unstable = growth > np.maximum(error, _GROWTH)
-        edges.append(_crossings(sampler, index, loads, span, unstable, approach))
-        if panel.period_nodes and len(span) > 2:
-            edges.append(_peaks(sampler, index, loads, span, unstable, approach))
-    row, start, stop = (np.concatenate(parts) for parts in zip(*edges, strict=True))
-    return [
-        _joined(np.column_stack([2 * np.pi / stop[row == r], 2 * np.pi / start[row == r]]))
-        for r in range(len(loads))
-    ]
-
-
-def _joined(pairs: Array) -> list[_Interval]:
-    """Return sorted intervals, those that touch across the border of a panel as one."""
-    out: list[_Interval] = []
-    for left, right in pairs[np.argsort(pairs[:, 0])]:
-        if out and left <= out[-1].right * (1 + _TOUCH):
-            out[-1] = _Interval(out[-1].left, max(float(right), out[-1].right))
-        else:
-            out.append(_Interval(float(left), float(right)))
-    return out
-
-
-def _crossings(
-    sampler: ChartSampler,
-    panel: int,
-    loads: Array,
-    span: Array,
-    unstable: NDArray[np.bool_],
-    approach: Array,
-) -> Runs:
-    """Return row, first and last T of every run of unstable columns, refined."""
-    border = np.zeros((len(loads), 1), dtype=bool)
-    change = np.diff(np.hstack([border, unstable | (approach > 0), border]).astype(np.int8), axis=1)
-    row, first = np.nonzero(change == 1)
-    last = np.nonzero(change == -1)[1] - 1
-    # rounding alone may lift the approach above 0
-    total = np.hstack([np.zeros((len(loads), 1), dtype=int), unstable.cumsum(axis=1)])
-    sure = total[row, last + 1] > total[row, first]
-    row, first, last = row[sure], first[sure], last[sure]
-    ends = []
-    for inside, step in ((first, -1), (last, 1)):
-        outside = inside + step
-        within = (outside >= 0) & (outside < len(span))
-        clipped = np.clip(outside, 0, len(span) - 1)
-        end = np.where(within, (span[inside] + span[clipped]) / 2, span[inside])
-        if sampler.panels[panel].period_nodes:
-            part = np.flatnonzero(within)
-            root = _root(sampler, panel, loads[row[part]], span[inside[part]], span[clipped[part]])
-            end[part] = np.where(np.isfinite(root), root, end[part])
-        ends.append(end)
-    return row, ends[0], ends[1]
-
-
-def _root(sampler: ChartSampler, panel: int, load: Array, inside: Array, outside: Array) -> Array:
-    """Return T between points inside and outside at which the approach is 0: Illinois' rule."""
-
-    def value(period: Array) -> Array:
-        growth, error, approach = sampler.at_points(panel, load, period, nearness=True)
-        # where two pairs grow at once the approach may tell nothing
-        grows = (approach <= 0) & (growth > np.maximum(error, _GROWTH))
-        return np.where(grows, growth, approach)
-
-    if not load.size:
-        return np.empty(0)
-    a, b = inside.copy(), outside.copy()
-    fa, fb = value(a), value(b)
-    good = (fa > 0) & (fb <= 0)
-    for _ in range(_ROUNDS):
-        with np.errstate(divide="ignore", invalid="ignore"):
-            x = (a * fb - b * fa) / (fb - fa)
-        x = np.where((x - a) * (x - b) <= 0, x, (a + b) / 2)
-        f = value(x)
-        positive = f > 0
-        a, fa, b, fb = (
-            np.where(positive, x, a),
-            np.where(positive, f, fa / 2),
-            np.where(positive, b, x),
-            np.where(positive, fb / 2, f),
-        )
-    return np.where(good, x, np.nan)
-
-
-def _peaks(
-    sampler: ChartSampler,
-    panel: int,
-    loads: Array,
-    span: Array,
-    unstable: NDArray[np.bool_],
-    approach: Array,
-) -> Runs:
-    """Return row, first and last T of tongues that pass between two columns."""
-    middle = approach[:, 1:-1]
-    candidate = (middle < 0) & (middle >= approach[:, :-2]) & (middle > approach[:, 2:])
-    candidate &= (middle > _NEAREST) & ~(unstable[:, :-2] | unstable[:, 1:-1] | unstable[:, 2:])
-    # the parabola through three columns tells where there is nothing near 0
-    bend = approach[:, :-2] - 2 * middle + approach[:, 2:]
-    slope = (approach[:, 2:] - approach[:, :-2]) / 2
-    with np.errstate(divide="ignore", invalid="ignore"):
-        candidate &= middle - slope**2 / (2 * bend) > _FAR * bend
-    row, column = np.nonzero(candidate)
-    column += 1
-    load, before, after = loads[row], span[column - 1], span[column + 1]
-    centre, spacing = span[column].copy(), (after - before) / 2
-    for shrink in _SHRINK:
-        reach = shrink * spacing
-        points = np.clip(centre + reach * np.array([[-1.0], [0.0], [1.0]]), span[0], span[-1])
-        height = sampler.at_points(panel, np.tile(load, 3), points.ravel(), nearness=True)[2]
-        low, mid, high = height.reshape(3, -1)
-        bend = low - 2 * mid + high
-        with np.errstate(divide="ignore", invalid="ignore"):
-            shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
-        centre = np.clip(centre + reach * np.clip(shift, -2, 2), before, after)
-    growth, error, _ = sampler.at_points(panel, load, centre)
-    keep = growth > np.maximum(error, _GROWTH)
-    row = row[keep]
-    load, centre, before, after = (one[keep] for one in (load, centre, before, after))
-    start = _root(sampler, panel, load, centre, before)
-    stop = _root(sampler, panel, load, centre, after)
-    good = np.isfinite(start) & np.isfinite(stop)
-    return row[good], start[good], stop[good]
-
-
 def _components(
-    chains: list[_Chain], found: list[_Interval], load: float
+    chains: list[_Chain], found: list[Interval], load: float
 ) -> Iterator[tuple[list[int], list[int]]]:
     """Yield groups of chains and of intervals of the next row that belong together."""
     predicted = [chain.predicted(load) for chain in chains]
@@ -352,14 +193,14 @@ def _components(
         yield sorted(ones), sorted(others)
 
 
-def _cut(whole: _Interval, parts: list[_Interval]) -> list[_Interval]:
+def _cut(whole: Interval, parts: list[Interval]) -> list[Interval]:
     """Return an interval cut where the gaps between some parts close."""
     inner = [(a.right + b.left) / 2 for a, b in pairwise(parts)]
     cuts = [whole.left, *(min(max(x, whole.left), whole.right) for x in inner), whole.right]
-    return [_Interval(a, b) for a, b in pairwise(cuts)]
+    return [Interval(a, b) for a, b in pairwise(cuts)]
 
 
-def _link(loads: Array, found: list[list[_Interval]], step: float) -> list[_Chain]:
+def _link(loads: Array, found: list[list[Interval]], step: float) -> list[_Chain]:
     """Return chains of intervals through the rows."""
     done: list[_Chain] = []
     live: list[_Chain] = []
@@ -375,7 +216,7 @@ def _link(loads: Array, found: list[list[_Interval]], step: float) -> list[_Chai
             if not ends:
                 for chain in chains:
                     middle = chain.predicted(load).centre
-                    chain.add(load - step / 2, _Interval(middle, middle))
+                    chain.add(load - step / 2, Interval(middle, middle))
                 continue
             new = [_Chain() for _ in ends]
             if chains and len(ends) == 1:
@@ -389,7 +230,7 @@ def _link(loads: Array, found: list[list[_Interval]], step: float) -> list[_Chai
             elif chains:
                 # several to several: through one hull half a row below
                 parts = [chain.ends[-1] for chain in chains]
-                hull = _Interval(
+                hull = Interval(
                     (min(one.left for one in parts) + ends[0].left) / 2,
                     (max(one.right for one in parts) + ends[-1].right) / 2,
                 )
@@ -399,7 +240,7 @@ def _link(loads: Array, found: list[list[_Interval]], step: float) -> list[_Chai
                     chain.add(load - step / 2, piece)
             for chain, end in zip(new, ends, strict=True):
                 if not chains:
-                    chain.add(load - step / 2, _Interval(end.centre, end.centre))
+                    chain.add(load - step / 2, Interval(end.centre, end.centre))
                 chain.add(load, end)
             after += new
         live = sorted(after, key=lambda chain: chain.ends[-1].left)
@@ -410,8 +251,13 @@ def _place(chain: _Chain) -> tuple[float, float]:
     return chain.loads[0], chain.ends[0].left
 
 
-def _outline(chain: _Chain, roots: list[tuple[float, str, int]], step: float) -> Outline:
-    """Return a chain as an outline, with its name; a tongue of first order reaches p̄_t = 0."""
+def _outline(
+    chain: _Chain, roots: list[tuple[float, str, int]], step: float, damped: bool
+) -> Outline:
+    """Return a chain as an outline, with its name.
+
+    Without damping a tongue of first order reaches p̄_t = 0.
+    """
     loads = np.array(chain.loads)
     left, right = np.array(chain.ends).T.copy()
     middle = (left[0] + right[0]) / 2
@@ -419,7 +265,7 @@ def _outline(chain: _Chain, roots: list[tuple[float, str, int]], step: float) ->
     if not near:
         return Outline("", 0, loads, left, right)
     _, root, name, order = min(near)
-    tip = left[0] == right[0]
+    tip = left[0] == right[0] and not damped
     if tip and order == 1 and abs(root - middle) < 0.02 * root and loads[0] < 12 * step:
         loads[0], left[0], right[0] = 0.0, root, root
     for array in (loads, left, right):

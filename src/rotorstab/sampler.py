@@ -63,6 +63,8 @@ class ChartSampler:
         1, or less for fewer nodes and steps: faster, less accurate, with error bounds to match.
     between : bool
         Whether points between columns will be wanted, down to the resonance table's lowest root.
+    resolve : float
+        Period up to which they will be wanted in any case.
     """
 
     def __init__(
@@ -73,6 +75,7 @@ class ChartSampler:
         periods: Array,
         density: float = 1.0,
         between: bool = False,
+        resolve: float = 0.0,
     ) -> None:
         self.system = system
         self.static_load = static_load
@@ -105,7 +108,9 @@ class ChartSampler:
             density=density,
             tolerance=_TOLERANCE,
             even=self.closed_form,
-            resolve=self._longest_tongue(coupling) if between and self.closed_form else 0.0,
+            resolve=max(
+                resolve, self._longest_tongue(coupling) if between and self.closed_form else 0.0
+            ),
         )
         self.periods = periods
         self.data = [self._sample(panel) for panel in self.panels]
@@ -276,21 +281,20 @@ class ChartSampler:
         Returns
         -------
         growth, error, approach : (...) float
-            `approach` as in `self_inversive_growth`, NaN if damped or without a closed form.
+            `approach` as in `self_inversive_growth`, NaN without a closed form.
         """
         damped = self.system.is_damped
         if self.closed_form and not damped:
             growth, slack, approach = self_inversive_growth(functions, error, nearness)
+        elif self.closed_form:
+            growth, slack, approach = largest_modulus(functions, error, nearness)
+            growth = growth - self.drift.imag * periods
         else:
-            if self.closed_form:
-                growth, slack = largest_modulus(functions, error)
-                growth = growth - self.drift.imag * periods
-            else:
-                size = 2 * self.system.size
-                matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
-                if not damped:
-                    matrix = solved(matrix.conj(), matrix)
-                growth, slack = matrix_growth(matrix, error)
+            size = 2 * self.system.size
+            matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
+            if not damped:
+                matrix = solved(matrix.conj(), matrix)
+            growth, slack = matrix_growth(matrix, error)
             approach = np.broadcast_to(np.nan, growth.shape)
         return growth / periods, slack / periods, approach
 

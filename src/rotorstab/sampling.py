@@ -76,7 +76,16 @@ def chebyshev_values(points: Array, low: float, high: float, count: int) -> Arra
     """Return T_0 … T_{count−1} at points of [low, high], (..., count)."""
     width = high - low
     x = (2 * points - low - high) / width if width > 0 else np.zeros_like(points)
-    return np.asarray(np.cos(np.arccos(np.clip(x, -1, 1))[..., None] * np.arange(count)))
+    x = np.clip(x, -1, 1)
+    values = np.empty((count, *x.shape))
+    values[0] = 1
+    values[1:2] = x
+    twice = 2 * x
+    # the recurrence is stable here, and cheaper than cosines
+    for k in range(2, count):
+        np.multiply(twice, values[k - 1], out=values[k])
+        values[k] -= values[k - 2]
+    return np.moveaxis(values, 0, -1)
 
 
 def load_nodes(phase: float, tolerance: float, even: bool) -> int:

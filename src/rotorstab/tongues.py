@@ -95,7 +95,10 @@ def edge_function(system: System, static: float, load: Array, theta: Array) -> A
 
 
 def illinois(
-    function: Callable[[Array, NDArray[np.intp]], Array], inside: Array, outside: Array
+    function: Callable[[Array, NDArray[np.intp]], Array],
+    inside: Array,
+    outside: Array,
+    tolerance: float = _EDGE,
 ) -> Array:
     """Return roots between points where a function is positive and where it is not.
 
@@ -104,6 +107,8 @@ def illinois(
     function : callable
         Of points and their indices.
     inside, outside : (P,) float
+    tolerance : float
+        Relative; the last step is a hundred times smaller.
 
     Returns
     -------
@@ -128,7 +133,8 @@ def illinois(
         fb[step_a] /= 2
         b[step_b], fb[step_b] = x[~same], f[~same]
         fa[step_b] /= 2
-        done = (np.abs(b[live] - a[live]) < _EDGE * x) | (moved < 0.01 * _EDGE * x) | (f == 0)
+        near = np.abs(b[live] - a[live]) < tolerance * x
+        done = near | (moved < 0.01 * tolerance * x) | (f == 0)
         live = live[~done]
     return root
 

@@ -1,0 +1,90 @@
+"""Edges of everything unstable: where growth changes sign, with damping and exact stiffness too."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from rotors import P, W
+
+from rotorstab import BASE_CASE, System, finite_element, growth_rate, lumped
+from rotorstab.outlines import unstable_outlines
+from rotorstab.stiffness import largest_exact_load
+
+WINDOW = P, 0.8 * W, 6 * W
+SYSTEMS = {
+    "axial": lumped(BASE_CASE, 2.0),
+    "follower": lumped(BASE_CASE, 1.0, 1.0),
+    "exact": lumped(BASE_CASE, 1.0, 0.5, stiffness="exact"),
+    "damped": lumped(BASE_CASE, 2.0, external_damping=0.01, internal_damping=0.002),
+    "lightly damped": lumped(BASE_CASE, 2.0, external_damping=0.0005),
+    "damped, exact": lumped(BASE_CASE, 1.0, external_damping=0.01, stiffness="exact"),
+}
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_growth_changes_sign_at_the_edges(name):
+    system = SYSTEMS[name]
+    edges = [
+        (load, left, right)
+        for one in unstable_outlines(system, 0.5 * P, *WINDOW, rows=25)
+        if one.order == 1
+        for load, left, right in list(zip(one.pulsating_loads, one.left, one.right, strict=True))[
+            2:-1:4
+        ]
+        if right - left > 1e-4 * right
+    ]
+    assert len(edges) > 10
+    load, left, right = (column[:, None] for column in np.array(edges).T)
+    step = np.array([1e-6, -1e-6])
+    for theta in (left * (1 - step), right * (1 + step)):
+        real = ((theta > 0.801 * W) & (theta < 5.99 * W)).all(axis=1)
+        outside, inside = growth_rate(system, 0.5 * P, load, theta)[real].T
+        assert (inside > 1e-10).all()
+        assert (outside < 1e-9).all()
+        assert real.sum() > 8
+
+
+@pytest.mark.parametrize("damping", [0.005, 0.02])
+def test_proportional_damping_at_rest_lowers_growth_by_itself(damping):
+    """q = e^{−ct/2}u: an edge is where the undamped u, K less c²/4 M, grows at c/2."""
+    system = lumped(BASE_CASE, 0.0, external_damping=damping)
+    rate = system.external_damping[0, 0] / system.mass[0, 0]
+    plain = lumped(BASE_CASE, 0.0)
+    plain = replace(plain, elastic=plain.elastic - rate**2 / 4 * plain.mass)
+    pieces = unstable_outlines(system, 0.2 * P, 0.5 * P, W, 4 * W, rows=9)
+    piece = next(one for one in pieces if one.name == "1B+1F" and one.order == 1)
+    for edge, side in ((piece.left[-1], -1), (piece.right[-1], 1)):
+        theta = edge * (1 + side * np.array([-1e-6, 1e-6]))
+        inside, outside = growth_rate(plain, 0.2 * P, piece.pulsating_loads[-1], theta)
+        assert outside < rate / 2 < inside
+    assert piece.pulsating_loads[0] > 0
+
+
+def test_gyroscopic_band_in_closed_form():
+    """z = u e^{jgt/2} turns z̈ − jgż + (1 + ε cos θt)z = 0 into Mathieu's equation."""
+    system = System(
+        mass=np.eye(2),
+        gyroscopic=np.diag([1.0, 0.0]),
+        external_damping=np.zeros((2, 2)),
+        internal_damping=np.zeros((2, 2)),
+        elastic=np.diag([1.0, 30.0]),
+        geometric=np.diag([1.0, 0.0]),
+        spin_speed=0.4,
+    )
+    pieces = unstable_outlines(system, 0.0, 0.4, 1.5, 2.6, rows=9)
+    assert len(pieces) == 1
+    assert pieces[0].left[-1] == pytest.approx(1.8396583, abs=3e-7)
+    assert pieces[0].right[-1] == pytest.approx(2.2306405, abs=3e-7)
+
+
+def test_rows_end_before_the_pole_of_the_exact_stiffness():
+    system = SYSTEMS["exact"]
+    pole = float(largest_exact_load(BASE_CASE.shear))
+    pieces = unstable_outlines(system, 0.5 * P, 3 * pole, 2 * W, 6 * W, rows=9)
+    assert max(one.pulsating_loads[-1] for one in pieces) < pole - 0.5 * P
+    assert unstable_outlines(system, 1.1 * pole, P, 2 * W, 6 * W) == ()
+
+
+def test_a_larger_system_is_refused():
+    with pytest.raises(ValueError, match="`system` must be of two coordinates"):
+        unstable_outlines(finite_element(BASE_CASE, 0.0, modes=3), 0.0, 1.0, 0.5, 1.0)
