@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from .sampler import ChartSampler
 from .system import System
-from .tongues import illinois
+from .tongues import bracketed_roots
 
 __all__ = ["Interval", "unstable_intervals"]
 
@@ -24,6 +24,7 @@ _NEAREST = -1.0  # approach below which a pair is too far apart to meet within a
 _SHRINK = (0.3, 0.03)  # half-widths of the parabolas, in columns
 _TOUCH = 1e-12
 _EDGE = 1e-7  # of T
+_OUTSIDE = 1.5  # half-widths from a narrow tongue's centre to a point surely outside
 _FAR = 0.05  # of a parabola's bend over a column: error allowed its estimated top
 
 
@@ -126,7 +127,7 @@ def _root(sampler: ChartSampler, panel: int, load: Array, inside: Array, outside
         grows = (approach <= 0) & (growth > np.maximum(error, _GROWTH))
         return np.where(grows, growth, approach)
 
-    return illinois(value, inside, outside, _EDGE)
+    return bracketed_roots(value, inside, outside, _EDGE)
 
 
 def _peaks(
@@ -161,13 +162,20 @@ def _peaks(
         with np.errstate(divide="ignore", invalid="ignore"):
             shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
         centre = np.clip(centre + reach * np.clip(shift, -2, 2), before, after)
-    growth, error, _ = sampler.at_points(panel, load, centre)
+    growth, error, top = sampler.at_points(panel, load, centre, nearness=True)
     keep = growth > np.maximum(error, _GROWTH)
+    # the last parabola is 0 at this distance from its vertex
+    with np.errstate(divide="ignore", invalid="ignore"):
+        half = reach * np.sqrt(2 * top / -bend)
     row = row[keep]
-    load, centre, before, after = (one[keep] for one in (load, centre, before, after))
-    both = _root(
-        sampler, panel, np.tile(load, 2), np.tile(centre, 2), np.concatenate([before, after])
-    )
+    load, centre, half, before, after = (one[keep] for one in (load, centre, half, before, after))
+    load, centre = np.tile(load, 2), np.tile(centre, 2)
+    far = np.concatenate([before, after])
+    close = centre + np.concatenate([-half, half]) * _OUTSIDE
+    close = np.where(np.abs(close - centre) < np.abs(far - centre), close, far)
+    both = _root(sampler, panel, load, centre, close)
+    again = np.flatnonzero(np.isnan(both))
+    both[again] = _root(sampler, panel, load[again], centre[again], far[again])
     start, stop = np.split(both, 2)
     good = np.isfinite(start) & np.isfinite(stop)
     return row[good], start[good], stop[good]

@@ -12,7 +12,7 @@ from .floquet import floquet_solution
 from .resonance import ResonanceTable, resonances
 from .stability import stability_chart
 from .system import System
-from .tongues import edge_function, illinois
+from .tongues import bracketed_roots, edge_function
 
 __all__ = ["CriticalPulsation", "StabilityMargin", "critical_pulsation", "stability_margin"]
 
@@ -103,7 +103,7 @@ def _crossings(
     critical = np.where(found, 0.0, np.inf)
     refine = np.flatnonzero(found & (first > 0))
     theta, static_value = frequencies[refine], static
-    root = illinois(
+    root = bracketed_roots(
         lambda load, i: edge_function(system, static_value, load, theta[i]),
         loads[first[refine]],
         loads[first[refine] - 1],

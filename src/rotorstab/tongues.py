@@ -17,9 +17,9 @@ from .tracking import LEVELS, follow, polish
 
 __all__ = [
     "TongueEdges",
+    "bracketed_roots",
     "collision",
     "edge_function",
-    "illinois",
     "tongue_edges",
 ]
 
@@ -94,7 +94,7 @@ def edge_function(system: System, static: float, load: Array, theta: Array) -> A
     return np.array(growth if system.is_damped else approach)
 
 
-def illinois(
+def bracketed_roots(
     function: Callable[[Array, NDArray[np.intp]], Array],
     inside: Array,
     outside: Array,
@@ -108,34 +108,48 @@ def illinois(
         Of points and their indices.
     inside, outside : (P,) float
     tolerance : float
-        Relative; the last step is a hundred times smaller.
+        Width of the last bracket, relative.
 
     Returns
     -------
     (P,) float
         NaN where the signs are not so.
+
+    References
+    ----------
+    T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145: inverse quadratic interpolation where
+    three points allow it, else bisection.
     """
+    everyone = np.arange(len(inside))
     a, b = inside.copy(), outside.copy()
-    everyone = np.arange(len(a))
     fa, fb = function(a, everyone), function(b, everyone)
     root = np.full_like(a, np.nan)
     live = np.flatnonzero((fa > 0) & (fb <= 0))
+    a, b, fa, fb = a[live], b[live], fa[live], fb[live]
+    share = fa / (fa - fb)
     for _ in range(_ROUNDS):
         if not live.size:
             break
-        x = (a[live] * fb[live] - b[live] * fa[live]) / (fb[live] - fa[live])
+        x = a + share * (b - a)
         f = function(x, live)
-        root[live] = x
-        same = f > 0
-        moved = np.where(same, np.abs(x - a[live]), np.abs(x - b[live]))
-        step_a, step_b = live[same], live[~same]
-        a[step_a], fa[step_a] = x[same], f[same]
-        fb[step_a] /= 2
-        b[step_b], fb[step_b] = x[~same], f[~same]
-        fa[step_b] /= 2
-        near = np.abs(b[live] - a[live]) < tolerance * x
-        done = near | (moved < 0.01 * tolerance * x) | (f == 0)
-        live = live[~done]
+        # a is the newest point, b the end across the root, c the one before
+        same = (f > 0) == (fa > 0)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, f
+        best = np.where(np.abs(fa) < np.abs(fb), a, b)
+        least = 0.5 * tolerance * np.abs(best) / np.abs(b - a)
+        root[live] = best
+        with np.errstate(divide="ignore", invalid="ignore"):
+            xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+            smooth = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+            inverse = fa / (fb - fa) * fc / (fb - fc)
+            inverse += (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        share = np.where(smooth, inverse, 0.5)
+        share = np.clip(share, np.minimum(least, 0.5), np.maximum(1 - least, 0.5))
+        more = (least <= 0.5) & (f != 0)
+        live, share = live[more], share[more]
+        a, b, fa, fb = a[more], b[more], fa[more], fb[more]
     return root
 
 
@@ -265,7 +279,7 @@ def _fill(
         edge = np.full_like(theta, np.nan)
         if found.any():
             part = load[found]
-            edge[found] = illinois(
+            edge[found] = bracketed_roots(
                 lambda x, i, part=part: edge_function(system, static, part[i], x),  # type: ignore[misc]
                 inner[found],
                 outer[found],
