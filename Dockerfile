@@ -13,14 +13,16 @@ RUN /opt/rotorstab/bin/python -m pip install --no-deps --no-build-isolation . \
     && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling trove-classifiers pathspec pip
 
 # hadolint ignore=DL3006
-FROM ${BASE}
+FROM ${BASE} AS worker
 LABEL org.opencontainers.image.title="rotorstab" \
       org.opencontainers.image.licenses="BSD-3-Clause"
 COPY --from=build /opt/rotorstab /opt/rotorstab
 WORKDIR /srv/rotorstab
 COPY deploy deploy
 COPY app app
-# Nothing is written but below /tmp: the root file system may be read-only.
+# Nothing is written but below /tmp and, once, the secret: the root file system may be read-only.
+RUN install -d -m 0700 -o 10001 -g 10001 /var/lib/rotorstab
+# hadolint ignore=DL3064
 ENV PATH=/opt/rotorstab/bin:$PATH \
     PYTHON=/opt/rotorstab/bin/python \
     PYTHONDONTWRITEBYTECODE=1 \
@@ -29,12 +31,26 @@ ENV PATH=/opt/rotorstab/bin:$PATH \
     MPLCONFIGDIR=/tmp/matplotlib \
     ADDRESS=0.0.0.0 \
     PORT=5006 \
-    ROTORSTAB_ORIGINS=localhost:5006 \
-    ROTORSTAB_MAX_SESSIONS=60 \
-    BOKEH_SIGN_SESSIONS=yes \
-    BOKEH_RESOURCES=server
+    ROTORSTAB_ORIGINS=localhost:5006,127.0.0.1:5006 \
+    ROTORSTAB_SECRET_FILE=/var/lib/rotorstab/secret
 USER 10001:10001
+VOLUME /var/lib/rotorstab
 EXPOSE 5006
-HEALTHCHECK --interval=30s --timeout=5s --start-period=30s --retries=3 \
-    CMD ["python", "-c", "import os, urllib.request as r; r.urlopen(f\"http://127.0.0.1:{os.environ['PORT']}/health\", timeout=4)"]
+HEALTHCHECK --interval=30s --timeout=5s --start-period=60s --retries=3 \
+    CMD ["python", "/srv/rotorstab/deploy/check.py", "/health"]
 ENTRYPOINT ["sh", "/srv/rotorstab/deploy/start.sh"]
+
+# nginx of the distribution, with the same template and launcher as without Docker.
+FROM worker AS proxy
+USER 0:0
+# hadolint ignore=DL3008
+RUN apt-get update \
+    && apt-get install --yes --no-install-recommends nginx-light \
+    && rm -rf /var/lib/apt/lists/*
+USER 10001:10001
+HEALTHCHECK --interval=30s --timeout=5s --start-period=60s --retries=3 \
+    CMD ["python", "/srv/rotorstab/deploy/check.py", "/app"]
+ENTRYPOINT ["python", "/srv/rotorstab/deploy/lab.py"]
+
+# without a target: one worker
+FROM worker

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Build the Dockerfile without a Docker engine, then run the image as compose.yaml does: a plain
-# user, no capabilities, a read-only root, 64 MB in /tmp. Ends with "image check passed".
+# user, no capabilities, a read-only root, 192 MB in /tmp. Ends with "image check passed".
 #
 #   deploy/check_image.sh [BASE]    as root, with buildah; BASE is an image with Python >= 3.11
 #
@@ -55,7 +55,8 @@ printf '%s\n' "$address" "ADDRESS=127.0.0.1" "PORT=$port" "ROTORSTAB_ORIGINS=loc
 unshare --mount sh -eu -c '
     mount --bind "$1" "$1"
     mount -o remount,bind,ro "$1"
-    mount -t tmpfs -o size=64m,mode=1777 tmpfs "$1/tmp"
+    mount -t tmpfs -o size=192m,mode=1777 tmpfs "$1/tmp"
+    mount -t tmpfs -o size=1m,mode=0700,uid=10001,gid=10001 tmpfs "$1/var/lib/rotorstab"
     mount -t proc proc "$1/proc"
     mount --bind /dev "$1/dev"
     shift_root=$1 environment=$2

@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import http.client
+import http.server
 import json
 import os
 import re
@@ -12,6 +13,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections import Counter
 from pathlib import Path
@@ -20,6 +22,7 @@ import pytest
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from deploy import lab as lab_module
 from deploy.nginx import command, find_nginx, write
 from deploy.server.settings import read
 from tests.serving import START, Server, ended, free_port, run
@@ -328,6 +331,72 @@ def test_the_end_leaves_nothing_behind(tmp_path, number):
             assert list(lab.temporary.iterdir()) == []
     finally:
         lab.stop()
+
+
+class Named(http.server.BaseHTTPRequestHandler):
+    """Answers with its own port."""
+
+    def do_GET(self):
+        body = str(self.server.server_port).encode()
+        self.send_response(200)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *_):
+        pass
+
+
+def test_nginx_follows_workers_that_come_and_go(monkeypatch):
+    """As in containers: a name stands for several addresses, and they change."""
+    monkeypatch.setattr(lab_module, "ASK_AGAIN", 0.1)
+    monkeypatch.setattr(lab_module, "whereabouts", lambda upstream: list(places))
+    servers = [http.server.ThreadingHTTPServer(("127.0.0.1", 0), Named) for _ in range(3)]
+    for server in servers:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+    ports = [server.server_port for server in servers]
+    places = []
+    settings = read({"PORT": str(free_port()), "ROTORSTAB_UPSTREAM": "worker:5006"})
+
+    def answer():
+        """The port of the worker that answers a browser without a cookie."""
+        connection = http.client.HTTPConnection("127.0.0.1", settings.port, timeout=10)
+        with contextlib.closing(connection):
+            connection.request("GET", "/app")
+            reply = connection.getresponse()
+            return int(reply.read()) if reply.status == 200 else reply.status
+
+    async def until(expected):
+        for _ in range(600):
+            with contextlib.suppress(OSError):
+                answers = {await asyncio.to_thread(answer) for _ in range(20)}
+                if answers == set(expected):
+                    return
+            await asyncio.sleep(0.1)
+        pytest.fail(f"{answers} answer, not {expected}")
+
+    async def lesson(folder):
+        ending = asyncio.Event()
+        front = asyncio.create_task(
+            lab_module.keep("nginx", command(find_nginx(), write(settings, [], folder)), ending, 10)
+        )
+        following = asyncio.create_task(
+            lab_module.follow(settings, find_nginx(), folder, [], ending)
+        )
+        await until([503])
+        for here in (ports[:2], ports[1:], []):
+            places[:] = [f"127.0.0.1:{port}" for port in here]
+            # while no name is known the last ones are kept
+            await until(here or ports[1:])
+        ending.set()
+        await asyncio.gather(front, following)
+
+    with tempfile.TemporaryDirectory(prefix="rotorstab-test-") as name:
+        Path(name).chmod(0o755)
+        run(lesson(Path(name)))
+    for server in servers:
+        server.shutdown()
+        server.server_close()
 
 
 @pytest.mark.parametrize(

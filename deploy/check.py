@@ -1,0 +1,50 @@
+"""Whether what listens on ADDRESS:PORT is well: exit code 0 or 1, for a container's HEALTHCHECK.
+
+`python deploy/check.py /health` asks a worker, `python deploy/check.py /app` asks nginx for the
+page's head, which a worker must answer.
+"""
+
+import http.client
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from deploy.server.settings import read
+
+PATIENCE = 4  # s
+EVERYWHERE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
+
+
+def main() -> int:
+    """Ask, and tell what is wrong."""
+    settings = read()
+    address = EVERYWHERE.get(settings.address, settings.address)
+    path = sys.argv[1] if len(sys.argv) > 1 else "/health"
+    make = http.client.HTTPSConnection if settings.tls_certificate else http.client.HTTPConnection
+    options = {"context": unchecked()} if settings.tls_certificate else {}
+    connection = make(address, settings.port, timeout=PATIENCE, **options)
+    try:
+        connection.request("HEAD", path, headers={"Host": settings.origins[0]})
+        status = connection.getresponse().status
+    except (OSError, http.client.HTTPException) as problem:
+        print(f"{path}: {problem or type(problem).__name__}")
+        return 1
+    finally:
+        connection.close()
+    print(f"{path}: {status}")
+    return 0 if status == 200 else 1
+
+
+def unchecked():
+    """Return TLS that looks at no certificate: it is this machine's own, by another name."""
+    import ssl
+
+    context = ssl.create_default_context()
+    context.check_hostname = False
+    context.verify_mode = ssl.CERT_NONE
+    return context
+
+
+if __name__ == "__main__":
+    sys.exit(main())
