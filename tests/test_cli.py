@@ -186,3 +186,19 @@ def test_solving_does_not_import_a_drawing_library():
         "for m in sys.modules))"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "whirl --spin-speed 1e300 --load 1e300",
+        "whirl --model exact --load=-1e300",
+        "whirl --disk-mass 1e-300",
+        "regions --spin-speed 1e300",
+    ],
+)
+def test_overflow_is_one_line_and_no_warning(line, capsys):
+    assert main(line.split()) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err == "rotorstab: an argument is too large or too small to compute with\n"

@@ -141,13 +141,18 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="backslashreplace")
     try:
         arguments = _parser().parse_args(argv)
-        arguments.run(arguments)
+        # a number past double precision ends here, not in a table of NaN and a warning
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            arguments.run(arguments)
         sys.stdout.flush()
     except SystemExit as stop:
         return int(stop.code or 0)
     except BrokenPipeError:
         # the reader has seen enough; nothing more may be flushed at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except FloatingPointError:
+        print("rotorstab: an argument is too large or too small to compute with", file=sys.stderr)
+        return 2
     except (ValueError, OSError) as error:
         text = str(error)
         if isinstance(error, OSError) and error.strerror:
