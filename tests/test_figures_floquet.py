@@ -25,7 +25,7 @@ from rotorstab import (
 )
 from rotorstab.export import figure_csv, figure_json
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES
-from rotorstab.figures.regions import _two_modes
+from rotorstab.finite_element import first_modes
 from rotorstab.outlines import unstable_outlines
 
 BUCKLING = float(critical_load(BASE_CASE.shear))
@@ -107,7 +107,7 @@ def test_two_modes_of_the_finite_elements_are_enough():
     rotor, scales = ShaftDisk.from_si(**TABLE_1_SI)
     load = 0.5 * float(critical_load(rotor.shear))
     full = finite_element(rotor, 1000 * 2 * np.pi / 60 / scales.frequency, elements=20, modes=6)
-    small = _two_modes(full, load)
+    small = first_modes(full, load)
     whirl = whirl_frequencies(full, load).real
     whirl = whirl[np.argsort(np.abs(whirl))[:4]]
     reduced = whirl_frequencies(small, load).real

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from rotors import P, W
 
-from rotorstab import BASE_CASE, System, finite_element, growth_rate, lumped
+from rotorstab import BASE_CASE, System, finite_element, growth_rate, lumped, tongue_edges
 from rotorstab.outlines import unstable_outlines
 from rotorstab.stiffness import largest_exact_load
+from rotorstab.window import Model, Window, _outlines
 
 WINDOW = P, 0.8 * W, 6 * W
 SYSTEMS = {
@@ -88,3 +89,23 @@ def test_rows_end_before_the_pole_of_the_exact_stiffness():
 def test_a_larger_system_is_refused():
     with pytest.raises(ValueError, match="`system` must be of two coordinates"):
         unstable_outlines(finite_element(BASE_CASE, 0.0, modes=3), 0.0, 1.0, 0.5, 1.0)
+
+
+def test_edges_of_finite_elements_are_those_of_their_first_modes():
+    model = Model(BASE_CASE, "finite elements")
+    window = Window(model, 2.0, 0.0, 0.5 * P, 0.8 * W, 40 * W, 0.5 * P)
+    pieces = _outlines(window)
+    piece = next(one for one in pieces if one.name == "1B+1F" and one.order == 1)
+    load = piece.pulsating_loads[-1:]
+    exact = tongue_edges(model.system(2.0, 0.0), 0.5 * P, load, ("1B+1F",))
+    assert piece.left[-1] == pytest.approx(exact.left[0, 0], rel=3e-3)
+    assert piece.right[-1] == pytest.approx(exact.right[0, 0], rel=3e-3)
+    # 2B+2F is there; the third mode has resonances of its own from 17 ω_n on
+    assert 9 * W < max(one.right.max() for one in pieces) < 17 * W
+
+
+def test_damped_and_exact_models_have_edges_in_the_dashboard():
+    for options in ({"external_damping": 0.01}, {"law": "exact"}):
+        model = Model(BASE_CASE, **options)
+        assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
+    assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()

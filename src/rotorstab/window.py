@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .bolotin import bolotin_mask
-from .finite_element import finite_element
+from .finite_element import finite_element, first_modes
 from .outlines import Outline, unstable_outlines
 from .rotor import ShaftDisk
 from .stability import StabilityChart, stability_chart
 from .system import System, fundamental_frequency, lumped
+from .whirl import whirl_frequencies
 
 __all__ = [
     "ELEMENTS",
@@ -37,6 +38,7 @@ PIXELS = {
     ("finite elements", False): (20, 40, 0.6),
     ("finite elements", True): (48, 120, 1.0),
 }
+_CLEAR = 0.95  # of the third mode's lowest resonance
 LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
 
 
@@ -117,10 +119,20 @@ def floquet_map(window: Window, settled: bool) -> FloquetMap:
 
 
 def _outlines(window: Window) -> tuple[Outline, ...]:
-    """Return the exact edges of the tongues in a window, where they can be had at once."""
+    """Return the edges of the tongues in a window, where they can be had at once.
+
+    Exact for the lumped model. Those of finite elements are of their first two modes, within
+    some 1e-3, and end below the resonances of the third.
+    """
     model = window.model
     low = max(window.low, LOWEST_EDGE * fundamental_frequency(lumped(model.rotor, 0.0, 1.0)))
-    if model.kind != "lumped" or window.high <= low:
-        return ()
+    high = window.high
     system = model.system(window.spin_speed, window.tangency)
-    return unstable_outlines(system, window.static_load, window.top, low, window.high)
+    if system.size > 2:
+        whirl = whirl_frequencies(system, window.static_load).real
+        slow, fast = np.split(whirl[np.argsort(np.abs(whirl))], [4])
+        high = min(high, _CLEAR * float(np.abs(np.subtract.outer(fast, slow)).min()))
+        system = first_modes(system, window.static_load)
+    if high <= low:
+        return ()
+    return unstable_outlines(system, window.static_load, window.top, low, high)

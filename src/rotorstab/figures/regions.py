@@ -6,12 +6,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from scipy.linalg import eigh
-
 from ..critical import critical_load
-from ..finite_element import finite_element
+from ..finite_element import finite_element, first_modes
 from ..rotor import BASE_CASE, TABLE_1_SI, ShaftDisk
-from ..system import System, fundamental_frequency, lumped
+from ..system import fundamental_frequency, lumped
 from .floquet_readings import (
     read_floquet_4,
     read_floquet_5,
@@ -38,18 +36,6 @@ _FLOQUET = (
     " Pale and thin: Bolotin regions. Full: unstable by Floquet, tongues of first order named by "
     f"their mode pair, the others of order k at θ = |ω_i − ω_j|/k; sought from θ/ω_n = {LOWEST:g}."
 )
-
-
-def _two_modes(system: System, static_load: float) -> System:
-    """Return a system kept to the first two free vibration modes under its steady load.
-
-    Under an axial load and at a slow spin its tongues of the first two modes are within 1e-3 of
-    the whole system's.
-    """
-    stiffness = system.load_stiffness(static_load)
-    modes = eigh(stiffness, system.mass, subset_by_index=(0, 1))[1]
-    names = ("mass", "gyroscopic", "external_damping", "internal_damping", "elastic", "geometric")
-    return replace(system, **{name: modes.T @ getattr(system, name) @ modes for name in names})
 
 
 def _with_floquet(figure: Figure, more: Sequence[Statement]) -> Figure:
@@ -105,7 +91,7 @@ def figure_4(
                 comparator,
                 static_factor,
                 reference,
-                _two_modes(comparator, static_factor * reference) if floquet else None,
+                first_modes(comparator, static_factor * reference) if floquet else None,
             ),
         ]
         title = f"Ω = {rpm:g} r.p.m."
