@@ -63,11 +63,12 @@ class Lab(Server):
         app.write_text(APP)
         self.ports = worker_ports()
         # nginx of root reads it as another user, who may not look into pytest's folders
-        self.temporary = Path(tempfile.mkdtemp(prefix="rotorstab-test-"))
+        self.temporary = Path(tempfile.mkdtemp(prefix="rotorstab test "))
         self.temporary.chmod(0o755)
         super().__init__(
             folder / "log.txt",
             command=[sys.executable, LAB, app],
+            origins=["lab.example"],
             ROTORSTAB_WORKERS="2",
             ROTORSTAB_WORKER_PORT=str(self.ports[0]),
             ROTORSTAB_MAX_SESSIONS=str(PLACES),
@@ -152,12 +153,20 @@ class Lab(Server):
                 members.append((cookie, await self.connect(cookie, token)))
             yield members
         finally:
-            for _, connection in members:
-                connection.close()
+            await shut(*(connection for _, connection in members))
 
 
 async def next_fragment(connection):
     return await asyncio.wait_for(connection.read_message(), PATIENCE)
+
+
+async def shut(*connections):
+    """Close sockets and wait for the other side's part."""
+    for connection in connections:
+        connection.close()
+    for connection in connections:
+        while connection.protocol is not None and not connection.protocol.stream.closed():
+            await asyncio.sleep(0.02)
 
 
 async def answers(connection):
@@ -230,6 +239,23 @@ def test_another_host_is_closed_without_a_word(lab):
     run(attempt())
 
 
+def test_a_listed_name_without_a_port_is_served(lab):
+    """As on port 80 or 443, where the address line shows none."""
+    named = {"Host": "lab.example"}
+    status, headers, page = lab.get("/app", **named)
+    assert status == 200
+    token = re.search(r'"token":"([^"]+)"', page)[1]
+    named |= {"Origin": "http://lab.example", "Cookie": headers["Set-Cookie"].partition(";")[0]}
+    request = HTTPRequest(f"ws://localhost:{lab.port}/app/ws", headers=named)
+
+    async def attempt():
+        connection = await websocket_connect(request, subprotocols=["bokeh", token])
+        assert "ACK" in await next_fragment(connection)
+        await shut(connection)
+
+    run(attempt())
+
+
 def test_the_cookie_is_nginxs_own(lab):
     forged = "rotorstab=' onerror=alert(1)"
     headers = lab.get("/app", Cookie=forged)[1]
@@ -297,7 +323,7 @@ def test_a_worker_that_ends_takes_nobody_else_along(lab, number):
                 _, token = await asyncio.to_thread(lab.page, cookie)
                 connection = await lab.connect(cookie, token)
                 assert await answers(connection)
-                connection.close()
+                await shut(connection)
             # and the worker comes back
             await asyncio.to_thread(lab.wait)
             assert await asyncio.to_thread(lab.process_of, f"worker {victim}") != before
