@@ -38,6 +38,7 @@ from rotorstab.charts import (
     stiffness_charts,
 )
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
+from rotorstab.stability import StabilityChart
 from rotorstab.stiffness import largest_exact_load
 from rotorstab.window import Model, Window
 
@@ -80,6 +81,8 @@ class FloquetAnswer:
     unstable_share, bolotin_share, both_share : float
         Shares of the chart's area; the latter two NaN where there is no Bolotin region to
         compare with.
+    followed_from : float
+        θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
     """
 
     table: ResonanceTable
@@ -89,6 +92,7 @@ class FloquetAnswer:
     unstable_share: float
     bolotin_share: float
     both_share: float
+    followed_from: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,6 +158,15 @@ def _load_curves(
 def _campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
     return campbell_diagram(model.system(0.0, tangency), speeds, load)
+
+
+def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> float:
+    """Return the lowest θ/ω_n that the map shows, inf where it is blank, 0 where it is whole."""
+    known = np.isfinite(growth.growth).any(axis=0)
+    if known.all():
+        return 0.0
+    shown = growth.excitation_frequencies[known]
+    return float(shown.min()) / fundamental_frequency if shown.size else np.inf
 
 
 def _frequencies(system: System, load: float) -> dict[str, list[float]]:
@@ -249,9 +262,10 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             frequency_range=frequency_range,
             fundamental_frequency=frequency,
             reference_load=reference,
-            unstable_share=float(centre.mean()),
+            unstable_share=float(centre.mean()),  # what is blank counts as stable
             bolotin_share=float(mask.mean()),
             both_share=float((mask & centre).mean()),
+            followed_from=_followed_from(growth, frequency),
         ),
     )
 

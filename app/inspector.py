@@ -44,6 +44,7 @@ __all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
 INSPECTOR_CHARTS = ("response", "multipliers", "orbit")
 _ROWS = 6000  # most samples of one response; more would only slow the page
 _SAMPLES = (24, 600)  # a period
+_MOST_CYCLES = 5000  # of the whirl in a period; more would hold up other users
 _PER_CYCLE = 14  # samples in one cycle of the fastest whirl
 _POINTS = 25  # of the shaft's shape
 
@@ -185,9 +186,14 @@ def _respond(
     system = model.system(spin_speed, tangency)
     static, pulsating = loads
     kind, seed = start
+    fastest = _fastest(model, spin_speed, tangency, static)
+    if fastest > _MOST_CYCLES * excitation:
+        raise ValueError(
+            f"The whirl makes {fastest / excitation:.0f} cycles in one period of this load, "
+            f"more than can be followed ({_MOST_CYCLES}): move the marker to a higher θ/ωₙ."
+        )
     initial = initial_conditions(system, static, kind.replace(" ", ":"), seed)
     floquet = floquet_solution(system, static, pulsating, excitation)
-    fastest = _fastest(model, spin_speed, tangency, static)
     samples = int(np.clip(_PER_CYCLE * fastest / excitation, *_SAMPLES))
     periods = max(1, min(periods, _ROWS // samples))
     motion = time_response(system, static, pulsating, excitation, initial, periods, samples)

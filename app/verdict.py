@@ -84,9 +84,23 @@ def _comparison(answer: FloquetAnswer) -> str:
     return text + "."
 
 
+def _blank(answer: FloquetAnswer) -> str:
+    """Say which part of the window is blank, where that is more than a sliver."""
+    low, high = answer.frequency_range
+    start = answer.followed_from
+    if start <= low + 0.02 * (high - low):
+        return ""
+    where = f"Below θ/ωₙ = {start:.3g}" if start < high else "Here"
+    return (
+        f" {where} the map is blank: the shaft whirls too often in one period of so slow a load "
+        "to be followed in time."
+    )
+
+
 def verdict(answer: FloquetAnswer, scales: Scales | None = None) -> str:
     """Return the verdict on one chart, in three or four sentences.
 
     With `scales` frequencies are in Hz, growth is per second and loads are in N beside β_d.
     """
-    return " ".join((_tongues(answer, scales), _margin(answer, scales), _comparison(answer)))
+    words = " ".join((_tongues(answer, scales), _margin(answer, scales), _comparison(answer)))
+    return words + _blank(answer)

@@ -5,6 +5,7 @@ import logging
 import urllib.parse
 
 import panel.io.location as panel_location
+from bokeh.server.views.metadata_handler import MetadataHandler
 from panel.io.server import AutoloadJsHandler, ComponentResourceHandler, DocHandler, RootHandler
 from tornado.web import HTTPError
 
@@ -56,6 +57,7 @@ def install(settings):
     ComponentResourceHandler.prepare = not_found
     # autoload.js makes a session for any other site; nothing embeds this dashboard.
     AutoloadJsHandler.prepare = not_found
+    MetadataHandler.prepare = not_found  # nothing asks for it
     DocHandler.head = head_page
     RootHandler.head = RootHandler.get  # a redirect
     panel_location.parse_query = parse_query

@@ -19,9 +19,10 @@ REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
 FRAGMENTS = 3  # of one message
 LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
 LARGEST_BODY = 65_536  # bytes; no address takes a body
-IDLE_SECONDS = 60  # for the headers of a request to come
+IDLE_PINGS = 3  # keep-alives that a connection may say nothing between requests
 
 on_message = WSHandler.on_message
+on_close = WSHandler.on_close
 http_server = bokeh_server.HTTPServer
 
 
@@ -81,14 +82,22 @@ async def paced(self, fragment):
     await on_message(self, fragment)
 
 
+@functools.wraps(on_close)
+def close_once(self):
+    """Take leave of a session; a socket that was cut in the middle of an answer has none."""
+    if self.connection is None or self.connection._session is not None:
+        on_close(self)
+
+
 def install(settings):
     """Bound what a client may send to this process's server."""
     WSHandler.on_message = paced
+    WSHandler.on_close = close_once
     # Bokeh pings and never looks for the answer; Tornado does
     WSHandler.ping_interval = WSHandler.ping_timeout = settings.keep_alive
     bokeh_server.HTTPServer = functools.partial(
         http_server,
         max_header_size=LARGEST_HEADER,
         max_body_size=LARGEST_BODY,
-        idle_connection_timeout=IDLE_SECONDS,
+        idle_connection_timeout=IDLE_PINGS * settings.keep_alive,
     )

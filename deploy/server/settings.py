@@ -134,7 +134,7 @@ class Settings:
         "s that a session is kept after its page has gone",
     )
     keep_alive: int = setting(
-        "ROTORSTAB_KEEP_ALIVE", "20", whole(5, 110), "s between pings on a socket"
+        "ROTORSTAB_KEEP_ALIVE", "20", whole(1, 110), "s between pings on a socket"
     )
     lessons: str = setting("ROTORSTAB_LESSONS", "", FOLDER, "the teacher's own lessons")
     log_level: str = setting(

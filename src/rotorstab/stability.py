@@ -84,7 +84,7 @@ def stability_chart(
     excitation_frequencies: ArrayLike,
     *,
     density: float = 1.0,
-    refine: bool = True,
+    refine: bool | int = True,
     seed: bool = True,
 ) -> StabilityChart:
     """Return growth rates on a grid, with errors and the verdict of each pixel.
@@ -102,8 +102,9 @@ def stability_chart(
     density : float
         Nodes and steps relative to the tuned numbers, in [0.3, 3]; less is faster and less
         accurate, which the error estimate then says.
-    refine : bool
-        Compute pixels whose error bound exceeds 1e-5 again by `floquet_solution`.
+    refine : bool or int
+        Compute pixels whose error bound exceeds 1e-5 again by `floquet_solution`; at most so
+        many of them, those of the fastest loads first: the others keep their error.
     seed : bool
         Look for tongues narrower than a pixel and mark the pixels they pass through.
 
@@ -152,7 +153,8 @@ def stability_chart(
             sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
             part, slack, approach = sampler.growth(*sampler.on_grid(loads, periods), periods, seed)
             if refine:
-                refined = _refine(system, static, loads, frequencies[order], part, slack)
+                most = part.size if refine is True else refine
+                refined = _refine(system, static, loads, frequencies[order], part, slack, most)
         tall = np.array(part)
         if seed:
             tall = np.fmax(tall, hidden_by_table(sampler, loads, frequencies[order]))
@@ -180,10 +182,18 @@ def stability_chart(
 
 
 def _refine(
-    system: System, static: float, loads: Array, frequencies: Array, growth: Array, error: Array
+    system: System,
+    static: float,
+    loads: Array,
+    frequencies: Array,
+    growth: Array,
+    error: Array,
+    most: int,
 ) -> int:
     """Compute doubtful pixels again, in place; return how many."""
     i, j = np.nonzero(~(error <= _GROWTH_ERROR) | ~np.isfinite(growth))
+    first = np.argsort(j, kind="stable")[:most]  # frequencies fall
+    i, j = i[first], j[first]
     if i.size:
         again = floquet_solution(system, static, loads[i], frequencies[j])
         growth[i, j], error[i, j] = again.growth_rate, again.error

@@ -27,6 +27,7 @@ __all__ = [
     "Model",
     "Window",
     "floquet_map",
+    "followed",
     "map_options",
 ]
 
@@ -39,6 +40,16 @@ PIXELS = {
     ("finite elements", True): (48, 120, 1.0),
 }
 _CLEAR = 0.95  # of the third mode's lowest resonance
+# cycles of the fastest whirl in one period of the load: on the growth map, on the tongues' edges
+MOST_CYCLES, EDGE_CYCLES = 1000, 60
+# the same, summed over the map's columns: seconds of work at most; usual windows are whole
+MOST_WORK = {
+    ("lumped", False): 5000,
+    ("lumped", True): 2500,
+    ("finite elements", False): 4000,
+    ("finite elements", True): 2500,
+}
+MOST_REFINED = 600  # pixels of the growth map computed one by one
 LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
 
 
@@ -68,7 +79,7 @@ def map_options(model: Model, settled: bool) -> dict[str, Any]:
     """Return how carefully the growth map of a model is made, for `stability_chart`."""
     return {
         "density": PIXELS[model.kind, settled][2],
-        "refine": settled and model.kind == "lumped",
+        "refine": MOST_REFINED if settled and model.kind == "lumped" else 0,
         # where edges are drawn they show the tongues thinner than a pixel
         "seed": False,
     }
@@ -92,11 +103,69 @@ class Window:
 
 @dataclass(frozen=True, eq=False)
 class FloquetMap:
-    """The growth map of a window, Bolotin's mask on its pixels, and exact edges if settled."""
+    """The growth map of a window, Bolotin's mask on its pixels, and exact edges if settled.
+
+    The map is NaN in columns whose load is too slow to be followed (`followed`).
+    """
 
     growth: StabilityChart
     mask: NDArray[np.bool_]
     outlines: tuple[Outline, ...]
+
+
+def _fastest(window: Window) -> float:
+    """Return the largest whirl frequency |ω̄| under the steady load."""
+    system = window.model.system(window.spin_speed, window.tangency)
+    return float(np.abs(whirl_frequencies(system, window.static_load)).max())
+
+
+def followed(window: Window, frequencies: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return which columns of a growth map are computed, the fastest loads first.
+
+    The time that a column takes grows with the whirl cycles in a period of the load, without
+    end where the load is slow and a small disk whirls fast: one window would hold up a class.
+    """
+    model = window.model
+    cycles = _fastest(window) / frequencies
+    order = np.argsort(cycles)
+    kept = np.zeros(len(cycles), dtype=np.bool_)
+    most = MOST_WORK[model.kind, model != model.undamped()]
+    kept[order] = np.cumsum(cycles[order]) <= most
+    return kept & (cycles <= MOST_CYCLES)
+
+
+def _growth(
+    window: Window,
+    loads: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+    settled: bool,
+) -> StabilityChart:
+    """Return the growth map, NaN where the load is too slow to be followed."""
+    known = followed(window, frequencies)
+    shape = (len(loads), len(frequencies))
+    nothing, no = np.full(shape, np.nan), np.zeros(shape, dtype=np.bool_)
+    if not known.any():
+        return StabilityChart(loads, frequencies, nothing, nothing, nothing, no, 0, 0)
+    chart = stability_chart(
+        window.model.system(window.spin_speed, window.tangency),
+        window.static_load,
+        loads,
+        frequencies[known],
+        **map_options(window.model, settled),
+    )
+    if known.all():
+        return chart
+    wide: dict[str, Any] = {}
+    for name, empty in (
+        ("growth", nothing),
+        ("error", nothing),
+        ("peak_growth", nothing),
+        ("unstable", no),
+    ):
+        wide[name] = empty.copy()
+        wide[name][:, known] = getattr(chart, name)
+        wide[name].flags.writeable = False
+    return replace(chart, excitation_frequencies=frequencies, **wide)
 
 
 def floquet_map(window: Window, settled: bool) -> FloquetMap:
@@ -106,13 +175,7 @@ def floquet_map(window: Window, settled: bool) -> FloquetMap:
     loads = (np.arange(rows) + 0.5) / rows * window.top
     span = window.high - window.low
     frequencies = window.low + (np.arange(columns) + 0.5) / columns * span
-    growth = stability_chart(
-        model.system(window.spin_speed, window.tangency),
-        window.static_load,
-        loads,
-        frequencies,
-        **map_options(model, settled),
-    )
+    growth = _growth(window, loads, frequencies, settled)
     plain = model.undamped().system(window.spin_speed, window.tangency)
     mask = bolotin_mask(plain, window.static_load, loads, frequencies)
     return FloquetMap(growth, mask, _outlines(window) if settled else ())
@@ -133,6 +196,8 @@ def _outlines(window: Window) -> tuple[Outline, ...]:
         slow, fast = np.split(whirl[np.argsort(np.abs(whirl))], [4])
         high = min(high, _CLEAR * float(np.abs(np.subtract.outer(fast, slow)).min()))
         system = first_modes(system, window.static_load)
+    fastest = float(np.abs(whirl_frequencies(system, window.static_load)).max())
+    low = max(low, fastest / EDGE_CYCLES)
     if high <= low:
         return ()
     return unstable_outlines(system, window.static_load, window.top, low, high)
