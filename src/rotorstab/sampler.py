@@ -27,7 +27,7 @@ Complex = NDArray[np.complex128]
 
 _LEVELS = (4, 3, 2)  # step counts of the extrapolation, times a common factor
 _STEPS_PER_RADIAN = 1.7  # of the fastest mode, first level: 1e-7 or so in the coefficients
-_TOLERANCE = 1e-5  # of the interpolation, by a rule that is cautious: 1e-9 or so comes out
+_TOLERANCE = 1e-6  # of the interpolation, by a rule that is cautious: 1e-9 comes out
 _ROUNDING = 1e-14
 _PROBES = (0.0, 0.15, 0.3, 0.5)  # of a panel's periods, longest first: where steps are checked
 _GROWS = 4  # power of T with which they grow at least
