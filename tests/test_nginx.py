@@ -20,6 +20,7 @@ from pathlib import Path
 
 import pytest
 from tornado.httpclient import HTTPClientError, HTTPRequest
+from tornado.queues import QueueEmpty
 from tornado.websocket import websocket_connect
 
 from deploy import lab as lab_module
@@ -162,10 +163,13 @@ async def next_fragment(connection):
 
 async def shut(*connections):
     """Close sockets and wait for the other side's part."""
-    for connection in connections:
+    open_ones = [(one, one.protocol.stream) for one in connections if one.protocol is not None]
+    for connection, _ in open_ones:
         connection.close()
-    for connection in connections:
-        while connection.protocol is not None and not connection.protocol.stream.closed():
+    for connection, stream in open_ones:
+        while not stream.closed():
+            with contextlib.suppress(QueueEmpty):  # a message that nobody read holds up the rest
+                connection.read_queue.get_nowait()
             await asyncio.sleep(0.02)
 
 
