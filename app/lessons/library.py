@@ -16,7 +16,6 @@ from .tables import LessonError
 __all__ = ["VARIABLE", "Library", "Problem", "collect", "library", "read_file", "read_folder"]
 
 VARIABLE = "ROTORSTAB_LESSONS"
-_TOLD = "ROTORSTAB_LESSONS_TOLD"
 _LOG = logging.getLogger("rotorstab.lessons")
 _NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,60}")
 _MOST_FILES = 200
@@ -96,9 +95,6 @@ def collect(folder: str | None) -> Library:
 def library() -> Library:
     """Return the process's lessons, read once; what is left out is logged."""
     found = collect(os.environ.get(VARIABLE))
-    # Bokeh imports the app under a name of its own, so that deploy/setup.py has read them before
-    if os.environ.get(_TOLD) != str(os.getpid()):
-        os.environ[_TOLD] = str(os.getpid())
-        for problem in found.problems:
-            _LOG.error("lesson left out: %s", problem)
+    for problem in found.problems:
+        _LOG.error("lesson left out: %s", problem)
     return found
