@@ -1,4 +1,4 @@
-"""Faults: workers killed outright, clients that stall or say nothing."""
+"""Faults: workers killed outright, clients that stall or say nothing, and who notices."""
 
 import asyncio
 import os
@@ -8,18 +8,22 @@ import time
 from contextlib import suppress
 
 from .client import Lost, Refused, User
+from .moving import Moves, random_moves, take_turns
 
-WORDS = b"GET /app HTTP/1.1\r\nHost: "
+NOTICED = 2.0  # s after which every socket of a killed worker is gone
 
 
-async def stay(user, values, back, patience=60):
-    """Wait until the connection is lost, then do what page.js does until the state is back.
+def is_back(user, values):
+    """Whether a page shows the values that were set before."""
+    return all(user.last["values"][name] == value for name, value in values.items())
 
-    Note the seconds in `back`, NaN where the state was another one.
+
+async def come_back(user, values, patience=60):
+    """Do what page.js does: ask with a growing, jittered wait, then open the same address.
+
+    Return the new user and whether the state is back.
     """
-    await asyncio.wait([user._reader])
-    start = time.perf_counter()
-    wait, query = 0.8, user.last["query"]
+    wait, query, start = 0.8, user.last["query"], time.perf_counter()
     while time.perf_counter() < start + patience:
         await asyncio.sleep(wait * (0.7 + 0.6 * random.random()))
         wait = min(15.0, 1.6 * wait)
@@ -27,44 +31,71 @@ async def stay(user, values, back, patience=60):
         again.cookies = user.cookies
         with suppress(Refused, Lost, OSError, TimeoutError):
             await again.open()
-            same = all(again.last["values"][name] == value for name, value in values.items())
-            back.append(time.perf_counter() - start if same else float("nan"))
-            return again
+            return again, is_back(again, values)
         await again.close()
-    back.append(float("inf"))
-    return None
+    return user, False
 
 
-async def kill_one(deployment, users, number):
-    """Kill a worker outright; return seconds of the victims and the bystanders that were lost."""
-    ports = sorted(deployment.workers())
-    port = ports[number % len(ports)]
-    victims, others = [], []
-    for user in users:
-        (victims if user.worker == port else others).append(user)
-    os.kill(deployment.workers()[port], signal.SIGKILL)
-    return port, victims, others
+class Kills:
+    """Workers killed one after another while a class works."""
+
+    def __init__(self, deployment, users):
+        self.deployment, self.users = deployment, users
+        self.back, self.lost_state, self.disturbed = [], 0, []
+        self._undisturbed = 0
+
+    async def kill(self, number):
+        """Kill a worker, have its users come back while the others go on; note what they met."""
+        states = []
+        for place, user in enumerate(self.users):
+            states.append({"spin_speed": ((number + place) % 30 + 1) / 10, "shear": 0.03})
+            await user.change(**states[-1])
+        ports = sorted(self.deployment.workers())
+        victim = ports[number % len(ports)]
+        process = self.deployment.workers()[victim]
+        held = int(self.deployment.metrics()[victim]["rotorstab_sockets"])
+        start = time.perf_counter()
+        os.kill(process, signal.SIGKILL)
+        found, self._undisturbed = Moves(), 0
+        tasks = [
+            asyncio.create_task(self._live(user, state, start, found))
+            for user, state in zip(self.users, states, strict=True)
+        ]
+        self.users = await asyncio.gather(*tasks)
+        self.disturbed += found.errors
+        lost = len(self.users) - self._undisturbed
+        if lost != held:
+            self.disturbed.append(f"{lost} pages were lost, the worker held {held}")
+        await asyncio.to_thread(self.deployment.wait)
+
+    async def _live(self, user, state, start, found):
+        """Return the user, or who came back for it."""
+        await asyncio.wait([user._reader], timeout=NOTICED)
+        if user.connected:
+            self._undisturbed += 1
+            await take_turns(user, random_moves(0), 3, 0.0, found)
+            return user
+        again, same = await come_back(user, state)
+        self.back.append(time.perf_counter() - start)
+        self.lost_state += not same
+        return again
 
 
-class Silent:
-    """A client that opens the page, asks for much and reads nothing."""
-
-    def __init__(self, user):
-        self._user = user
-
-    async def stall(self, messages):
-        """Stop reading, then send moves as fast as the network takes them."""
-        user = self._user
-        user._reader.cancel()
-        for number in range(messages):
-            await asyncio.wait_for(user.send(type="change", values={"spin_speed": number / 100}), 5)
-            await asyncio.sleep(0.02)
+async def stall(user, messages):
+    """Stop reading, then go on moving: the answers pile up at the server."""
+    user._reader.cancel()
+    for number in range(messages):
+        with suppress(asyncio.TimeoutError):
+            await asyncio.wait_for(
+                user.send(type="change", values={"spin_speed": number % 300 / 100}), 5
+            )
+        await asyncio.sleep(0.05)
 
 
 async def half_a_request(origin, count):
-    """Open connections that never finish their request; return how to close them."""
+    """Open connections that never end their request; return them."""
     host, _, port = origin.removeprefix("http://").partition(":")
     pairs = [await asyncio.open_connection(host, int(port)) for _ in range(count)]
     for _, writer in pairs:
-        writer.write(WORDS)
+        writer.write(b"GET /app HTTP/1.1\r\nHost: ")
     return [writer for _, writer in pairs]

@@ -8,6 +8,7 @@ import numpy as np
 from .client import Refused, User
 
 SLOPE = 0.05  # MB a cycle
+VALUES = 20
 
 
 async def arrive(origin, count, seconds, seed=1):
@@ -53,10 +54,10 @@ def is_polite(refusal):
 
 
 async def cycle(origin, number):
-    """Open a page, move a slider, leave."""
+    """Open a page, move a slider, leave; few values, so that the bounded caches fill early."""
     user = User(origin)
     await user.open()
-    await user.change(spin_speed=float(f"{(number % 200) / 100:.12g}"))
+    await user.change(spin_speed=float(f"{number % VALUES / 10:.12g}"))
     await user.close()
 
 
