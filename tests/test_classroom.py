@@ -9,8 +9,8 @@ from benchmarks.classroom.deployment import Deployment
 from benchmarks.classroom.moving import close_class, move_class, open_class, wrong
 from tests.serving import run
 
-PLACES = 4  # of each of two workers
-SECONDS = 4
+PLACES = 3  # of each of two workers
+SECONDS = 3
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +19,7 @@ def deployment(tmp_path_factory):
     started = Deployment(
         tmp_path_factory.mktemp("lab"),
         ROTORSTAB_MAX_SESSIONS=str(PLACES),
-        ROTORSTAB_UNUSED_LIFETIME="15",
+        ROTORSTAB_UNUSED_LIFETIME="5",
     )
     try:
         yield started.wait()

@@ -6,6 +6,7 @@ import signal
 import socket
 import sys
 import time
+from contextlib import suppress
 from http.client import HTTPException
 from pathlib import Path
 
@@ -62,17 +63,14 @@ class Deployment(Server):
     def workers(self):
         """Return {port: process id} of the workers that run."""
         found = {}
-        for entry in Path("/proc").iterdir():
-            if not entry.name.isdigit():
+        for process, parent in parents().items():
+            if parent != self.process.pid:
                 continue
-            try:
-                parent = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
+            with suppress(OSError):
+                entry = Path(f"/proc/{process}")
                 port = re.search(rb"\0PORT=(\d+)\0", (entry / "environ").read_bytes())
-                words = (entry / "cmdline").read_bytes()
-            except OSError:
-                continue
-            if parent == self.process.pid and port and b"worker.py" in words:
-                found[int(port[1])] = int(entry.name)
+                if port and b"worker.py" in (entry / "cmdline").read_bytes():
+                    found[int(port[1])] = process
         return found
 
     def memory(self):
@@ -110,6 +108,56 @@ class Deployment(Server):
                 self.process.wait(ENDING)
             except Exception:
                 super().stop()
+
+
+class Others:
+    """How much of the machine other programs take meanwhile (Linux)."""
+
+    def __init__(self, deployment):
+        self._deployment = deployment
+        self._start = self._spent()
+
+    def _spent(self):
+        user, nice, system, idle, wait, *rest = (
+            int(word) for word in Path("/proc/stat").read_text().split()[1:9]
+        )
+        busy = (user + nice + system + sum(rest)) / 100
+        own = sum(map(processor_time, family(self._deployment.process.pid)))
+        return busy, busy + (idle + wait) / 100, own + time.process_time()
+
+    def share(self):
+        """Return the part of all cores that others took since the start."""
+        busy, whole, own = (
+            now - then for now, then in zip(self._spent(), self._start, strict=True)
+        )
+        return max(0.0, busy - own) / whole if whole else 0.0
+
+
+def parents():
+    """Return {process: its parent} of the machine."""
+    found = {}
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            with suppress(OSError):
+                fields = (entry / "stat").read_text().rpartition(")")[2].split()
+                found[int(entry.name)] = int(fields[1])
+    return found
+
+
+def family(process):
+    """Return a process and all that descend from it."""
+    known, found = parents(), {process}
+    while more := {one for one, parent in known.items() if parent in found} - found:
+        found |= more
+    return found
+
+
+def processor_time(process):
+    """Return the processor time of a process [s], 0 of one that has gone."""
+    with suppress(OSError):
+        fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / 100
+    return 0.0
 
 
 def resident(process):

@@ -75,6 +75,7 @@ class Kills:
             self._undisturbed += 1
             await take_turns(user, random_moves(0), 3, 0.0, found)
             return user
+        await user.close()
         again, same = await come_back(user, state)
         self.back.append(time.perf_counter() - start)
         self.lost_state += not same
