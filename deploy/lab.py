@@ -51,7 +51,7 @@ async def within(event: asyncio.Event, seconds: float) -> bool:
 
 async def keep(name, command, ending, patience, environment=None) -> int:
     """Run a command again and again until the event; return the exit code that ended it."""
-    loop, wait = asyncio.get_running_loop(), SOONEST
+    loop, wait, first = asyncio.get_running_loop(), SOONEST, True
     while not ending.is_set():
         began = loop.time()
         process = await asyncio.create_subprocess_exec(
@@ -69,8 +69,10 @@ async def keep(name, command, ending, patience, environment=None) -> int:
                 LOG.error("%s does not end: killed", name)
                 process.kill()
             return await ended
-        if process.returncode == BAD_SETTING:
+        # later it is a port that was not free yet, and no reason to send a class home
+        if first and process.returncode == BAD_SETTING:
             return BAD_SETTING
+        first = False
         wait = SOONEST if loop.time() - began > STEADY else min(2 * wait, LATEST)
         LOG.error("%s ended with %s; again in %g s", name, process.returncode, wait)
         await within(ending, wait)

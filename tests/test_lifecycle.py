@@ -17,7 +17,7 @@ import pytest
 from app.telemetry import observe, observers
 from benchmarks.classroom.client import User
 from deploy.server.health import Watchdog
-from tests.serving import Server, ended, run
+from tests.serving import START, Server, ended, run
 
 APP = """
 import ctypes, time
@@ -120,6 +120,28 @@ def test_sigterm_ends_an_idle_worker_with_0(tiny):
     with pytest.raises(ProcessLookupError):
         os.killpg(server.process.pid, 0)
     assert server.lines()[-1]["message"] == "stopped"
+
+
+def test_the_check_of_a_container(tiny):
+    server = tiny()
+
+    def check(path):
+        done = subprocess.run(
+            [sys.executable, START.with_name("check.py"), path],
+            env=os.environ | {"ADDRESS": "0.0.0.0", "PORT": str(server.port)},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.stderr == ""
+        return done.returncode, done.stdout
+
+    assert check("/health") == (0, "/health: 200\n")
+    assert check("/nowhere") == (1, "/nowhere: 404\n")
+    server.stop()
+    code, told = check("/health")
+    assert code == 1
+    assert "refused" in told
 
 
 def test_metrics_are_for_whom_they_are_meant(tiny):

@@ -363,6 +363,21 @@ def test_the_end_leaves_nothing_behind(tmp_path, number):
         lab.stop()
 
 
+def test_a_setting_that_a_worker_cannot_use_ends_the_launcher(tmp_path):
+    """Before it serves; with the worker's own line."""
+    with socket.socket() as taken:
+        lab = Lab(tmp_path)
+        taken.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        taken.bind(("127.0.0.1", lab.ports[1]))
+        taken.listen()
+        try:
+            assert lab.process.wait(PATIENCE) == 2
+        finally:
+            lab.stop()
+    assert f"rotorstab: PORT {lab.ports[1]} of 127.0.0.1 is in use" in lab.log.read_text()
+    assert all(map(ended, lab.processes()))
+
+
 class Named(http.server.BaseHTTPRequestHandler):
     """Answers with its own port."""
 
