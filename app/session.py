@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
@@ -31,6 +32,8 @@ from .verdict import verdict
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
+_MAKES = ("export", "report", "figure")
+MOST_FILES, MOST_WAITING = 8, 60  # being made at a time, for one session and for all
 _FAILED = "these values could not be computed; the charts show the last ones that could"
 
 
@@ -40,6 +43,14 @@ def _file(name: str, kind: str, data: bytes) -> dict[str, Any]:
         "told": f"{name} is ready",
         "file": {"name": name, "mime": MIME[kind], "base64": b64encode(data).decode()},
     }
+
+
+def _excuse(future: Future[Any]) -> str:
+    """Return what the user is told of a file that was not made."""
+    problem = None if future.cancelled() else future.exception()
+    if isinstance(problem, OSError) and problem.errno in (errno.ENOSPC, errno.EDQUOT):
+        return "the server’s disk is full: the file was not made"
+    return "the picture could not be made: ask once more"
 
 
 class Session:
@@ -57,6 +68,7 @@ class Session:
         self._problems = [*doubtful, *bad], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
         self.active = PAGES[0].key
+        self._files: list[Future[Any]] = []  # that this session waits for
         self.controls = Controls(self.respond)
         self.notice = ""
         self.settling = Settling(self._show_settled)
@@ -89,6 +101,10 @@ class Session:
             self.reset_view()
         elif kind == "page" and name in self.pages:
             self.active = str(name)
+        elif kind in _MAKES and (
+            len(self._waiting()) >= MOST_FILES or printer.pending() >= MOST_WAITING
+        ):
+            reply = Reply({"told": "files are still being made: wait for one, then ask again"})
         elif kind == "export":
             reply = self.export(message)
         elif kind == "python":
@@ -193,12 +209,15 @@ class Session:
         """Send what comes later, from the server's own loop, when it is there."""
         document = pn.state.curdoc
 
+        assert reply.later is not None
+        self._files = [*self._waiting(), reply.later]
+
         def send(future: Future[Any]) -> None:
             if future.cancelled() or future.exception() is not None:
                 _LOG.error(
                     "picture failed", exc_info=None if future.cancelled() else future.exception()
                 )
-                content: Mapping[str, Any] = {"told": "the picture could not be made"}
+                content: Mapping[str, Any] = {"told": _excuse(future)}
             else:
                 content = reply.wrap(future.result())
             if document is None or not document.session_context:
@@ -206,8 +225,10 @@ class Session:
             with suppress(RuntimeError):  # the session may have ended meanwhile
                 document.add_next_tick_callback(lambda: self.controls.tell(content))
 
-        assert reply.later is not None
         reply.later.add_done_callback(send)
+
+    def _waiting(self) -> list[Future[Any]]:
+        return [one for one in self._files if not one.done()]
 
     def reset_view(self) -> None:
         """Undo every zoom on every page."""

@@ -93,10 +93,12 @@ class Wire:
         return content
 
     async def ask(self, data):
-        """Send the page's component a message; return its answer, None where it was closed."""
+        """Send the page's component a message; return its answer, None where it was refused."""
         sequence = next(self.count)
-        await self.patch(custom(self.models["ReactiveESM"][0], data | {"seq": sequence}))
+        number = await self.patch(custom(self.models["ReactiveESM"][0], data | {"seq": sequence}))
         while (message := await self.read()) is not None:
+            if message[0].get("reqid") == number and message[0]["msgtype"] == "ERROR":
+                return None
             for event in message[1].get("events", []):
                 answer = plain(event.get("msg_data"))
                 if isinstance(answer, dict):

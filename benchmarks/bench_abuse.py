@@ -1,0 +1,182 @@
+"""A hostile client beside an honest one: does the server live, leak or slow down?
+
+One client sends malformed messages, then messages full of hostile values, as fast as it is let;
+a bystander moves a slider all the while. The solver inside the server is spied on: every number
+that reaches it must be finite and within State's bounds (`tests/spy.py`). All streams are seeded.
+"""
+
+import argparse
+import asyncio
+import contextlib
+import os
+import random
+import re
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from benchmarks.classroom.client import User
+from tests import hostile
+from tests.serving import Server
+from tests.wire import opened, token
+
+ROOT = Path(__file__).parents[1]
+PATH = "/spied"
+APP = """
+import logging, sys
+first = "app.main" not in sys.modules
+from tests import spy
+if first:
+    spy.seen, spy.found = spy.watch()
+import app.main
+if not first:
+    app.main.build().servable()
+logging.getLogger("rotorstab.spy").warning(
+    "spy: %d calls, %d violations %s", sum(spy.seen.values()), len(spy.found), spy.found[:3])
+"""
+SEED = 20260601
+EACH = 30  # hostile values a message
+PAUSE = 0.05  # s between the bystander's moves
+MOST = 2.0  # p95 under abuse over p95 alone
+
+
+def p95(times):
+    """Return the value below which 95 of 100 lie."""
+    ordered = sorted(times)
+    return ordered[min(len(ordered) - 1, int(0.95 * len(ordered)))]
+
+
+async def bystand(user, stop, times):
+    """Move a slider until told to stop; keep the times to the answer [s]."""
+    number = 0
+    while not stop.is_set():
+        number += 1
+        answer = await user.change(spin_speed=round(0.5 + 0.02 * (number % 150), 2))
+        times.append(answer.seconds)
+        await asyncio.sleep(PAUSE)
+
+
+async def beside(user, work):
+    """Return the bystander's times while some work runs, and the work's result."""
+    stop, times = asyncio.Event(), []
+    task = asyncio.create_task(bystand(user, stop, times))
+    try:
+        result = await work
+    finally:
+        stop.set()
+        await task
+    return times, result
+
+
+def leaks(wire):
+    """Return what the server told of its inside."""
+    words = ("Traceback", 'File "', str(ROOT), "site-packages")
+    return [text[:200] for text in wire.heard if any(word in text for word in words)]
+
+
+async def malformed(server, page, count):
+    """Send malformed messages, reconnecting whenever the socket is closed."""
+    rng, told, closed, sent = random.Random(SEED), [], 0, 0
+    while sent < count:
+        async with opened(server, PATH, page) as wire:
+            await wire.pull()
+            reading = asyncio.create_task(_drain(wire))
+            with contextlib.suppress(Exception):  # the socket was closed meanwhile
+                while sent < count and not reading.done():
+                    sent += 1
+                    await wire.raw(*hostile.fragments(rng, wire.models))
+                    if sent % 20 == 0:
+                        await asyncio.sleep(0)
+            closed += reading.done()
+            reading.cancel()
+            told += leaks(wire)
+    return told, closed
+
+
+async def _drain(wire):
+    while await wire.connection.read_message() is not None:
+        pass
+
+
+async def values(server, page, count):
+    """Ask for changes to hostile values, one answer after another."""
+    rng, told, unanswered = random.Random(SEED + 1), [], 0
+    left = count
+    while left > 0:
+        async with opened(server, PATH, page) as wire:
+            await wire.pull()
+            while left > 0:
+                left -= EACH
+                data = {"type": "change", "values": hostile.values(rng, EACH)}
+                if left % (40 * EACH) < EACH:
+                    data = {"type": "reset"}
+                answer = None
+                with contextlib.suppress(Exception):
+                    answer = await wire.ask(data)
+                unanswered += answer is None  # refused before it came to the page, or closed
+                if wire.connection.close_code is not None:
+                    break
+            told += leaks(wire)
+    return told, unanswered
+
+
+async def abuse(server, wanted_values, wanted_messages):
+    """Return the rows of the table."""
+    loop = asyncio.get_running_loop()
+    user = User(server.origin, PATH)
+    await user.open()
+    page = await loop.run_in_executor(None, token, server, PATH)
+    await beside(user, asyncio.sleep(5))  # warm
+    alone, _ = await beside(user, asyncio.sleep(10))
+    rows = []
+    for name, count, work in (
+        ("malformed messages", wanted_messages, malformed(server, page, wanted_messages)),
+        ("hostile values", wanted_values, values(server, page, wanted_values)),
+    ):
+        start = time.perf_counter()
+        times, (told, lost) = await beside(user, work)
+        seconds = time.perf_counter() - start
+        rows.append((name, count, seconds, lost, len(told), p95(times) / p95(alone), told))
+    await user.close()
+    await loop.run_in_executor(None, token, server, PATH)  # the spy's last account is in the log
+    return p95(alone), rows
+
+
+def main(wanted_values=50_000, wanted_messages=10_000):
+    """Serve, abuse, print the table; return whether every target is met."""
+    with tempfile.TemporaryDirectory() as folder:
+        app = Path(folder) / "spied.py"
+        app.write_text(APP)
+        path = os.pathsep.join([str(ROOT / "src"), str(ROOT)])
+        server = Server(Path(folder) / "log.txt", app, PYTHONPATH=path)
+        try:
+            server.wait()
+            alone, rows = asyncio.run(abuse(server, wanted_values, wanted_messages))
+            alive = server.process.poll() is None and server.get("/health")[0] == 200
+            log = server.log.read_text()
+        finally:
+            server.stop()
+    calls, violations = map(int, re.findall(r"spy: (\d+) calls, (\d+) violations", log)[-1])
+    print(f"bystander alone: p95 {1e3 * alone:.0f} ms; spy: {calls} calls of the solver")
+    print("\n| stream | sent | s | closed or unanswered | leaks | bystander's p95 ratio |")
+    print("|---|---|---|---|---|---|")
+    for name, count, seconds, lost, told, ratio, words in rows:
+        print(f"| {name} | {count} | {seconds:.0f} | {lost} | {told} | {ratio:.2f} |")
+        for one in words[:3]:
+            print("  leak:", one)
+    longest = max(map(len, log.splitlines()))
+    print(f"\nlog: {len(log) / 1e6:.2f} MB, longest line {longest}; violations: {violations}")
+    met = alive and calls > 100 and violations == 0 and all(row[4] == 0 for row in rows)
+    quick = all(row[5] <= MOST for row in rows)
+    print(f"target (alive, no leak, nothing unclamped): {'met' if met else 'MISSED'}")
+    print(f"target (p95 ratio <= {MOST:g}): {'met' if quick else 'MISSED'}")
+    return met and quick
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--values", type=int, default=50_000)
+    parser.add_argument("--messages", type=int, default=10_000)
+    wanted = parser.parse_args()
+    sys.exit(0 if main(wanted.values, wanted.messages) else 1)
