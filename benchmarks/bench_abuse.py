@@ -77,18 +77,21 @@ def leaks(wire):
 
 async def malformed(server, page, count):
     """Send malformed messages, reconnecting whenever the socket is closed."""
-    rng, told, closed, sent = random.Random(SEED), [], 0, 0
+    rng, told, closed, sent, models = random.Random(SEED), [], 0, 0, {}
     while sent < count:
         async with opened(server, PATH, page) as wire:
-            await wire.pull()
+            if not models:
+                await wire.pull()
+                models = wire.models
             reading = asyncio.create_task(_drain(wire))
             with contextlib.suppress(Exception):  # the socket was closed meanwhile
                 while sent < count and not reading.done():
                     sent += 1
-                    await wire.raw(*hostile.fragments(rng, wire.models))
+                    await wire.raw(*hostile.fragments(rng, models))
                     if sent % 20 == 0:
                         await asyncio.sleep(0)
-            closed += reading.done()
+            await asyncio.sleep(0)
+            closed += wire.connection.close_code is not None
             reading.cancel()
             told += leaks(wire)
     return told, closed

@@ -162,6 +162,15 @@ def test_forged_patches_are_refused_and_change_nothing(server, what):
     with_wire(server, talk)
 
 
+def test_the_document_is_sent_some_times_only(server):
+    async def talk(wire):
+        kinds = [(await wire.reply(await wire.send("PULL-DOC-REQ", {})))[0] for _ in range(4)]
+        assert kinds[:2] == ["PULL-DOC-REPLY"] * 2  # one was asked for before
+        assert kinds[2:] == ["ERROR"] * 2
+
+    with_wire(server, talk)
+
+
 @pytest.mark.parametrize("kind", ["PUSH-DOC", "SERVER-INFO-REQ", "ACK", "ERROR"])
 def test_other_messages_are_refused(server, kind):
     async def talk(wire):

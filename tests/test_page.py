@@ -501,3 +501,24 @@ def test_axe_finds_nothing_serious_in_the_open_drawer(open_page):
     assert serious(page) == []
     page.evaluate("document.documentElement.dataset.theme = 'light'")
     assert serious(page) == []
+
+
+def test_the_policy_is_never_violated(open_page):
+    """Every page, the inspector, an export and the code window; the browser reports violations."""
+    page = open_page()
+    page.evaluate(
+        """() => {
+          window.violations = [];
+          document.addEventListener("securitypolicyviolation",
+            (event) => window.violations.push(`${event.violatedDirective} ${event.blockedURI}`));
+        }"""
+    )
+    page.locator(".marker-keys").click()
+    page.wait_for_function("rotorstab.last.inspector && Bokeh.documents[0].is_idle")
+    with page.expect_download():
+        page.locator('select.export[data-chart="campbell"]').select_option("csv")
+    for key in ("stiffness", "paper", "lessons", "explore"):
+        page.evaluate("key => { location.hash = key }", key)
+        page.wait_for_function("key => rotorstab.last.page === key", arg=key)
+        page.wait_for_function("Bokeh.documents[0].is_idle")
+    assert page.evaluate("window.violations") == []

@@ -23,6 +23,7 @@ from .limits import count_refused
 log = logging.getLogger("rotorstab.messages")
 
 LARGEST_NUMBER = 1e15  # of a range or a size
+MOST_PULLS = 3  # of a socket: a page asks once, and the whole document takes the server long
 MOST_EVENTS, MOST_PARTS, DEEPEST = 100, 5000, 8
 LONGEST_NAME = 100
 
@@ -183,8 +184,12 @@ def assemble_checked(self, header_json, metadata_json, content_json):
 @functools.wraps(handle)
 async def handle_allowed(self, message, connection):
     """Answer an allowed message; tell that another one is refused."""
-    if not is_allowed(message, connection.session.document):
-        count_refused(connection._socket, describe(message))
+    socket = connection._socket
+    if message.msgtype == "PULL-DOC-REQ":
+        socket.pulls = getattr(socket, "pulls", 0) + 1
+    refused = getattr(socket, "pulls", 0) > MOST_PULLS and message.msgtype == "PULL-DOC-REQ"
+    if refused or not is_allowed(message, connection.session.document):
+        count_refused(socket, describe(message))
         return connection.error(message, "refused")
     try:
         return await contain(handle(self, message, connection))
