@@ -10,7 +10,7 @@ PIP := $(PY) -m pip --disable-pip-version-check --no-input
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
-.PHONY: help serve lab test lint unit bench screenshots lock clean
+.PHONY: help serve lab test lint unit bench screenshots lock audit clean
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -48,6 +48,12 @@ lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
 		--output-file requirements/dev.txt pyproject.toml requirements/build.in
 	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra deploy --constraint requirements/dev.txt \
 		--output-file requirements/serve.txt pyproject.toml requirements/build.in
+
+audit: $(VENV)/dev.stamp ## known faults of what is served, where their database can be reached
+	@$(PY) -m venv $(VENV)/audit
+	@if $(VENV)/audit/bin/python -m pip --disable-pip-version-check --no-input install --quiet pip-audit; then \
+		$(VENV)/audit/bin/python requirements/audit.py; \
+	else echo "audit: pip-audit is not to be had; nothing was checked"; fi
 
 clean: ## remove the environment and all caches
 	rm -rf $(VENV) .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis dist build
