@@ -6,6 +6,7 @@ import http.client
 import http.server
 import json
 import os
+import random
 import re
 import shutil
 import signal
@@ -42,9 +43,9 @@ pytestmark = pytest.mark.skipif(
 
 
 def worker_ports():
-    """Two free ports, one after the other."""
+    """Two free ports, one after the other, which no outgoing connection is given meanwhile."""
     while True:
-        first = free_port()
+        first = random.randrange(20_000, 32_000)
         with contextlib.suppress(OSError):
             for port in (first, first + 1):
                 http_free(port)
@@ -200,6 +201,7 @@ def test_only_the_page_its_socket_and_its_files_are_reached(lab):
     assert lab.get("/app", method="HEAD")[0] == 200
     assert lab.get("/")[1]["Location"] == "/app"
     assert lab.get("/static/js/bokeh.min.js?v=1")[0] == 200
+    assert lab.get("/favicon.ico", method="HEAD")[0] == 200
     for path in (
         "/metrics",
         "/health",
