@@ -55,7 +55,7 @@ def test_without_an_environment_the_server_is_for_this_machine_alone():
         ("ROTORSTAB_MAX_SESSIONS", "-1", "an integer from 1 to 10000"),
         ("ROTORSTAB_TOKEN_LIFETIME", "5", "an integer from 60"),
         ("ROTORSTAB_UNUSED_LIFETIME", "1e3", "an integer from 5"),
-        ("ROTORSTAB_KEEP_ALIVE", "200", "an integer from 5 to 110"),
+        ("ROTORSTAB_KEEP_ALIVE", "200", "an integer from 1 to 110"),
         ("ROTORSTAB_LESSONS", "/nowhere", "a folder that can be read"),
         ("ROTORSTAB_LOG_LEVEL", "loud", "one of debug, info, warning, error"),
         ("ROTORSTAB_LOG_FORMAT", "xml", "one of auto, json, text"),
