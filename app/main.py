@@ -9,7 +9,7 @@ import panel as pn
 from bokeh.models import CustomJS
 from markupsafe import Markup
 
-from rotorstab.charts import ROLES
+from rotorstab.charts import ROLES, Role
 
 from .pages import PAGES
 from .pages.lessons import cards
@@ -30,6 +30,15 @@ LEGENDS = {
 }
 
 
+def meaning(role: Role) -> Markup | str:
+    """Return what a stroke means; symbols lose the bar of the non-dimensional in SI."""
+    plain = role.meaning.replace("\u0304", "")
+    if "ω" not in plain:  # coefficients stay as they are
+        return role.meaning
+    texts = Markup('<span class="nd">{}</span><span class="si">{}</span>')
+    return texts.format(role.meaning, plain)
+
+
 def legend(roles: tuple[str, ...]) -> Markup:
     """Return an HTML legend whose strokes are those of the chart."""
     entries = []
@@ -40,7 +49,7 @@ def legend(roles: tuple[str, ...]) -> Markup:
                 '<li><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
                 'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
             ).format(
-                role.color, role.width, "" if role.dash == "solid" else role.dash, role.meaning
+                role.color, role.width, "" if role.dash == "solid" else role.dash, meaning(role)
             )
         )
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))

@@ -1,6 +1,8 @@
 """Charts as data, and what HoloViews and Bokeh make of them."""
 
 import math
+import re
+from pathlib import Path
 
 import holoviews as hv
 import numpy as np
@@ -15,6 +17,7 @@ from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped, p
 from rotorstab.charts import ROLES
 from rotorstab.charts.structure import Lines, symmetric
 
+ASSETS = Path(__file__).parents[1] / "app" / "assets"
 KINDS = {"regions", "lines", "points", "labels", "map"}
 PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
 
@@ -183,3 +186,17 @@ def test_a_patched_chart_equals_one_built_anew(key):
     for axis in ("x_range", "y_range"):
         assert getattr(patched.figure, axis).start == getattr(built.figure, axis).start
         assert getattr(patched.figure, axis).end == getattr(built.figure, axis).end
+
+
+def test_the_legend_of_the_map_shows_the_colours_of_the_map():
+    """Growth lies over the shading, so that its colours are those of the colour bar everywhere."""
+    labels = [layer.label for layer in solve(State()).charts["instability"].layers]
+    assert labels[:3] == ["disagreement", "growth", "Bolotin region"]
+    css = (ASSETS / "page.css").read_text(encoding="utf-8")
+    (stops,) = re.findall(r"--growth: linear-gradient\(to right, ([^)]*)\)", css)
+    palette = plots._GROWTH_COLOURS
+    places = [0, len(palette) // 3, 2 * len(palette) // 3, -1]
+    assert stops.split(", ") == [palette[place] for place in places]
+    over, under = (f"{colour}66" for colour in plots._DISAGREEMENT_COLOURS)  # 0x66 is 40 %
+    assert f".swatch.over {{ background: {over}; }}" in css
+    assert f'[data-show_growth="false"] .swatch.under {{ background: {under}; }}' in css

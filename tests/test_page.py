@@ -7,9 +7,11 @@ from urllib.parse import parse_qs, urlsplit
 import numpy as np
 import param
 import pytest
+from markupsafe import Markup
 
 from app.analysis import CHARTS
 from app.controls import GROUPS
+from app.lessons import library
 from app.pages import PAGES
 from app.pages.explore import Explore
 from app.state import PRESETS, SI_INPUTS, State
@@ -522,3 +524,39 @@ def test_the_policy_is_never_violated(open_page):
         page.wait_for_function("key => rotorstab.last.page === key", arg=key)
         page.wait_for_function("Bokeh.documents[0].is_idle")
     assert page.evaluate("window.violations") == []
+
+
+def themed(page):
+    """Go through both themes."""
+    for theme in ("dark", "light"):
+        page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
+        page.wait_for_timeout(150)
+        yield theme
+
+
+OPEN = "?v=1&at=1&f=1.68&b=0.5&u=SI&spin=99&p1=spin_1~~slow&p2=load_follower~~follower#explore"
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
+    page = open_page(width, 900, path=f"/app{OPEN}")
+    for title in ("Inside the point", "Pinned curves"):
+        page.get_by_role("heading", name=title).wait_for(state="visible")
+    page.locator(".notice").get_by_text("Ignored in the address: spin").wait_for()
+    for theme in themed(page):
+        assert serious(page) == [], theme
+    page.locator("details.more summary").click()
+    page.get_by_role("button", name="As Python").click()
+    page.locator("dialog.code").wait_for(state="visible")
+    for theme in themed(page):
+        assert serious(page) == [], theme
+
+
+def test_axe_finds_nothing_serious_in_any_lesson(open_page):
+    page = open_page(path="/app#lessons")
+    for key, lesson in library().lessons.items():
+        page.evaluate("(key) => { location.hash = `lesson/${key}`; }", key)
+        heading = page.locator('[data-lesson="heading"]')
+        heading.get_by_text(Markup(lesson.steps[0].title).striptags()).wait_for()
+        for theme in themed(page):
+            assert serious(page) == [], (key, theme)

@@ -173,6 +173,7 @@ window.rotorstab = (() => {
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));
+    for (const name of ["show_growth", "show_bolotin", "show_disagreement"]) root.dataset[name] = String(data.values[name]);
     const unit = document.querySelector("[data-growth-unit]");
     const si = data.values.units === "SI";
     unit.textContent = data.values.growth_unit === "per period" ? (si ? "σT" : "σ̄T") : (si ? "σ [1/s]" : "σ̄");

@@ -75,7 +75,7 @@ def _growth_layers(
     frequency_range: tuple[float, float],
     top: float,
 ) -> list[Layer]:
-    """Return the map of growth and the map of disagreement."""
+    """Return the map of disagreement and, over it, the map of growth."""
     left, right = frequency_range
     columns = grid.growth.shape[1]
     theta = (left + (np.arange(columns) + 0.5) / columns * (right - left)) * fundamental_frequency
@@ -90,6 +90,8 @@ def _growth_layers(
         disagree[verdict == 2] = 0.0
         disagree[verdict == 1] = 1.0
     return [
+        # below: a colour of growth is that of the colour bar wherever it stands
+        Layer("map", "disagreement", {"image": [disagree], **place}),
         Layer(
             "map",
             "growth",
@@ -101,7 +103,6 @@ def _growth_layers(
                 **place,
             },
         ),
-        Layer("map", "disagreement", {"image": [disagree], **place}),
     ]
 
 
