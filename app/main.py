@@ -64,6 +64,7 @@ def layout() -> str:
     """Return the Jinja text of the whole document, every page's layout in its section."""
     sections = [
         f'<section class="page" data-page="{page.key}" aria-label="{page.title}"'
+        f' aria-busy="{"true" if page.chart_keys else "false"}"'
         f"{' hidden' if index else ''}>{page.fragment()}</section>"
         for index, page in enumerate(PAGES)
     ]

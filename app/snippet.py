@@ -134,7 +134,7 @@ def python_snippet(state: State) -> str:
     ValueError
         With words for the page, where these inputs have no answer.
     """
-    result = solve(state)
+    result = solve(state, settled=False)  # the map of growth is not needed here
     in_si = state.units == "SI" and state.shaft_in_use()
     rows, columns, _ = PIXELS[state.model, True]
     options = _arguments(**map_options(model_of(state), settled=True))

@@ -181,6 +181,7 @@ window.rotorstab = (() => {
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one
       seen.add(data.page);
+      document.querySelector(`[data-page="${data.page}"]`).setAttribute("aria-busy", "false");
       for (const delay of [0, 60, 400]) setTimeout(paintCharts, delay);
       if (!page.painted) { page.painted = true; if (location.hash.length > 1) visit(); }
     }
