@@ -24,7 +24,7 @@ NUMBERS = [name for name in PLACED if isinstance(State.param[name], param.Number
 SLIDERS = [name for name in NUMBERS if name not in SI_INPUTS]
 CHOICES = [name for name in PLACED if isinstance(State.param[name], param.Selector)]
 SWITCHES = [name for name in PLACED if isinstance(State.param[name], param.Boolean)]
-WIDTHS = [1920, 1280, 390]
+WIDTHS = [1920, 1280, 1024, 901, 768, 390]
 
 SHOWN = """() => {
   const found = {};
