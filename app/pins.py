@@ -11,7 +11,8 @@ import numpy as np
 from rotorstab import Scales
 from rotorstab.charts import Chart, Layer
 
-from .analysis import Result, solve
+from .analysis import Result, solve, window_of
+from .growth import is_known
 from .share import MOST_PINS, PINNED, PinnedInputs, pin_name
 from .state import SI_INPUTS, SYMBOLS, State
 from .units import chart_in_si, key_numbers, shown_scales
@@ -38,10 +39,13 @@ class Pin(PinnedInputs):
     result : Result
     scales : Scales
         Of its own shaft.
+    settled : bool
+        Whether the shares of the window are from the fine map.
     """
 
     result: Result
     scales: Scales
+    settled: bool
 
 
 def pin(state: State, name: Any, pins: Sequence[Pin]) -> Pin | None:
@@ -63,9 +67,9 @@ def solved(one: PinnedInputs) -> Pin:
         With words for the page, where its inputs have no answer.
     """
     state = State(**one.inputs)
-    # no curve of a pin is of the growth map, which takes finite elements long
-    result = solve(state, settled=state.model == "lumped")
-    return Pin(one.name, one.number, one.inputs, result, state.scales())
+    # no curve of a pin is of the growth map, so nobody waits for a fine one
+    settled = is_known(window_of(state))
+    return Pin(one.name, one.number, one.inputs, solve(state, settled), state.scales(), settled)
 
 
 def ghosted(charts: dict[str, Chart], pins: Sequence[Pin]) -> dict[str, Chart]:
@@ -110,7 +114,7 @@ def _shown(value: Any) -> str:
     return f"{value:.5g}".replace("-", "−") if isinstance(value, float) else str(value)
 
 
-def _numbers(result: Result, scales: Scales | None) -> dict[str, str]:
+def _numbers(result: Result, scales: Scales | None, settled: bool = True) -> dict[str, str]:
     shown = result.numbers if scales is None else key_numbers(scales, result.numbers)
     si = scales is not None
     numbers = {words[si]: _shown(shown[name]) for name, words in _NUMBERS.items()}
@@ -121,7 +125,8 @@ def _numbers(result: Result, scales: Scales | None) -> dict[str, str]:
             rate = f", {word} by {abs(imaginary):.3g} 1/s"
             grows = rate if si else f" {imaginary:+.3g}j".replace("-", "−")
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
-    numbers["Unstable share of the window"] = f"{100 * result.floquet.unstable_share:.3g} %"
+    share = f"{100 * result.floquet.unstable_share:.3g} %"
+    numbers["Unstable share of the window"] = share if settled else f"≈ {share}"
     tongues = result.floquet.table.tongues
     numbers["Tongues"] = ", ".join(row.name for row in tongues) or "none"
     return numbers
@@ -138,7 +143,9 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
             rows.append([label.strip(), *values])
     scales = shown_scales(state)
     numbers = [_numbers(result, scales)]
-    numbers += [_numbers(one.result, None if scales is None else one.scales) for one in pins]
+    numbers += [
+        _numbers(one.result, None if scales is None else one.scales, one.settled) for one in pins
+    ]
     for name in numbers[0]:
         values = [one.get(name, "none") for one in numbers]
         if len(set(values)) > 1:

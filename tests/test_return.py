@@ -101,8 +101,12 @@ def test_a_page_that_lost_its_server_returns_with_state_pins_and_marker(browser,
         page.wait_for_function("!window.same && window.rotorstab?.last?.pins")
         at_rest(page)
         after = page.evaluate("rotorstab.last")
-        for what in ("values", "pins", "query", "page"):
+        for what in ("values", "query", "page"):
             assert after[what] == before[what], what
+        for one in (before["pins"], after["pins"]):  # a share may be from the coarse map
+            one["rows"] = [row for row in one["rows"] if not row[0].startswith("Unstable share")]
+        assert after["pins"] == before["pins"]
+        assert len(after["pins"]["rows"]) > 3
         assert after["inspector"]["sentence"] == before["inspector"]["sentence"]
         assert page.locator(".lost").is_hidden()
         page.get_by_role("heading", name="Pinned curves").wait_for(state="visible")

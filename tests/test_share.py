@@ -203,6 +203,7 @@ def test_a_session_returns_with_its_pins_and_marker():
     session.respond({"type": "change", "values": marked})
     session.respond({"type": "pin", "label": "at \ud800 two~~"})
     session.respond({"type": "change", "values": {"spin_speed": 1.0}})
+    session.respond({"type": "settle"})
     session.respond({"type": "pin", "label": ""})
     session.respond({"type": "unpin", "number": 1})
     session.respond({"type": "pin", "label": "slow"})
