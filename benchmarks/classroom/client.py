@@ -137,7 +137,9 @@ class User:
         """Return the next message, of a kind; its bytes are its `size`."""
         size = 0
         while True:
-            fragment = await asyncio.wait_for(self._socket.read_message(), PATIENCE)
+            # a page that is idle waits for ever
+            limit = None if kind is None else PATIENCE
+            fragment = await asyncio.wait_for(self._socket.read_message(), limit)
             if fragment is None:
                 raise Lost(f"socket closed: {self._socket.close_code}")
             size += len(fragment)

@@ -12,7 +12,7 @@ from bokeh.protocol.messages.patch_doc import patch_doc
 from benchmarks.redraw.moves import SLIDERS, values
 from tests.serving import Server
 
-from .client import _TOKEN, PATIENCE, User
+from .client import _TOKEN, PATIENCE, Lost, User
 from .moving import Moves
 
 PAGE = Path(__file__).parents[1] / "redraw" / "floor.py"
@@ -62,6 +62,8 @@ class FloorUser(User):
 
     async def move(self, name, value):
         """Return the seconds from a slider's value sent to its patches received."""
+        if not self.connected:
+            raise Lost("not connected")
         event = {
             "kind": "ModelChanged",
             "model": {"id": self._sliders[name]},
