@@ -6,7 +6,18 @@ import numpy as np
 import pytest
 from rotors import P, W
 
-from rotorstab import BASE_CASE, System, finite_element, growth_rate, lumped, tongue_edges
+from rotorstab import (
+    BASE_CASE,
+    TABLE_1_SI,
+    ShaftDisk,
+    System,
+    critical_load,
+    finite_element,
+    fundamental_frequency,
+    growth_rate,
+    lumped,
+    tongue_edges,
+)
 from rotorstab.outlines import unstable_outlines
 from rotorstab.stiffness import largest_exact_load
 from rotorstab.window import Model, Window, _outlines
@@ -109,3 +120,14 @@ def test_damped_and_exact_models_have_edges_in_the_dashboard():
         model = Model(BASE_CASE, **options)
         assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
     assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()
+
+
+def test_no_edges_where_growth_leaves_double_precision():
+    """A rotor that whirls by itself at every θ̄, and whose modes decay by 1e50 in a period."""
+    rotor, _ = ShaftDisk.from_si(**TABLE_1_SI)
+    load = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    system = lumped(rotor, 4.0, internal_damping=0.2)
+    theta = np.geomspace(0.4, 16, 5) * frequency
+    assert growth_rate(system, 0.0, 0.5 * load, theta).min() > 0.3
+    assert unstable_outlines(system, 0.0, load, theta[0], theta[-1], rows=9) == ()

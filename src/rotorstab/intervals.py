@@ -55,7 +55,17 @@ def _columns(low: float, high: float) -> Array:
 def unstable_intervals(
     system: System, static: float, loads: Array, low: float, high: float
 ) -> list[list[Interval]]:
-    """Return the unstable intervals of θ̄ of each row, from left to right."""
+    """Return the unstable intervals of θ̄ of each row, from left to right.
+
+    None where growth or decay within a period leaves double precision: nothing is sure there.
+    """
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        return _unstable_intervals(system, static, loads, low, high)
+
+
+def _unstable_intervals(
+    system: System, static: float, loads: Array, low: float, high: float
+) -> list[list[Interval]]:
     periods = _columns(low, high)
     sampler = ChartSampler(system, static, float(loads[-1]), periods, _DENSITY, resolve=np.inf)
     edges: list[Runs] = []
