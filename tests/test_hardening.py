@@ -1,6 +1,7 @@
 """What a client can do to a real server: forged messages, foreign hosts, floods, silence, exits."""
 
 import asyncio
+import functools
 import json
 import socket
 import time
@@ -401,3 +402,34 @@ def test_a_client_that_reads_nothing_is_let_go(tmp_path):
         assert "Uncaught exception" not in server.log.read_text()
     finally:
         server.stop()
+
+
+def test_a_sender_of_dear_messages_leaves_the_thread_to_others(monkeypatch):
+    """Alone it is never held back; beside another it waits once its credit is gone."""
+    monkeypatch.setattr(limits, "CREDIT", 0.0)
+    monkeypatch.setattr(limits, "is_closing", lambda socket: False)
+    waits = []
+
+    async def sleep(seconds):
+        waits.append(seconds)
+
+    async def busy(socket, fragment):
+        begin = time.thread_time()
+        while time.thread_time() - begin < 0.02:
+            pass
+
+    monkeypatch.setattr(limits.asyncio, "sleep", sleep)
+    paced = functools.partial(limits.paced, handle=busy)
+    monkeypatch.setattr(limits, "active", {})
+
+    class Socket:
+        pass
+
+    dear, other = Socket(), Socket()
+    for _ in range(5):
+        asyncio.run(paced(dear, ""))
+    assert waits == [0] * 5
+    asyncio.run(paced(other, ""))
+    asyncio.run(paced(dear, ""))
+    # 0.02 s of work at a share of 0.05 are earned in 0.4 s, and nothing is owed from before
+    assert 0.02 / limits.SHARE <= waits[-1] < limits.LONGEST_TURN

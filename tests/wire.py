@@ -48,6 +48,7 @@ class Wire:
         self.count = itertools.count(1)
         self.models = {}
         self.heard = []  # every text that came, for tests that look for leaks
+        self.ended = False
 
     async def raw(self, *fragments):
         for one in fragments:
@@ -62,19 +63,25 @@ class Wire:
     async def patch(self, *events):
         return await self.send("PATCH-DOC", {"events": list(events)})
 
+    async def fragment(self):
+        """The next fragment; None once where the socket was closed, for the queue has no more."""
+        part = await self.connection.read_message()
+        self.ended = self.ended or part is None
+        if isinstance(part, str):
+            self.heard.append(part)
+        return part
+
     async def read(self):
         """One message as header and content; None where the socket was closed."""
         parts = []
         while len(parts) < 3:
-            part = await asyncio.wait_for(self.connection.read_message(), ANSWER)
+            part = await asyncio.wait_for(self.fragment(), ANSWER)
             if part is None:
                 return None
-            if isinstance(part, str):
-                self.heard.append(part)
             parts.append(part)
         header, _, content = map(json.loads, parts)
         for _ in range(2 * header.get("num_buffers", 0)):
-            await asyncio.wait_for(self.connection.read_message(), ANSWER)
+            await asyncio.wait_for(self.fragment(), ANSWER)
         return header, content
 
     async def reply(self, number):
@@ -141,5 +148,5 @@ async def opened(server, path="/app", page=None):
     finally:
         connection.close()
         with contextlib.suppress(asyncio.TimeoutError):  # a wire that was cut
-            while await asyncio.wait_for(connection.read_message(), 5) is not None:
-                pass
+            while not wire.ended:
+                await asyncio.wait_for(wire.fragment(), 5)

@@ -1,4 +1,4 @@
-"""Limits of one client: messages a second, refused messages, silence, sizes of requests.
+"""Limits of one client: messages and work a second, refused messages, silence, sizes of requests.
 
 Clocks are monotonic: a jump of the machine's time changes nothing.
 """
@@ -15,6 +15,11 @@ log = logging.getLogger("rotorstab.limits")
 
 RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
 PATIENCE = 15.0  # s above the rate, then the socket is closed
+# Seconds of the server's one thread, while others are active: a sender who keeps on asking for the
+# dearest picture leaves it to the rest of the class. Dragging for half a minute costs some 10.
+SHARE, CREDIT = 0.05, 10.0
+ACTIVE = 2.0  # s since the last message
+LONGEST_TURN = 2.0  # s to wait between two messages
 REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
 FRAGMENTS = 3  # of one message
 LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
@@ -62,13 +67,25 @@ def is_closing(socket):
     return socket.ws_connection is None or socket.ws_connection.is_closing()
 
 
-@functools.wraps(on_message)
-async def paced(self, fragment):
+active = {}  # when each socket last sent something
+
+
+def others_wait(socket):
+    """Whether another socket has sent something lately."""
+    now = time.monotonic()
+    for one in [one for one, last in active.items() if now - last > ACTIVE]:
+        del active[one]
+    active[socket] = now
+    return len(active) > 1
+
+
+async def paced(self, fragment, handle=on_message):
     """Handle a fragment; a sender above the rate waits, and the network holds the rest back."""
     if is_closing(self):
         return
     if not hasattr(self, "pace"):
         self.pace, self.hurried = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
+        self.work = Bucket(SHARE, CREDIT)
     wait = self.pace.wait()
     if wait > 0:
         now = time.monotonic()
@@ -79,12 +96,17 @@ async def paced(self, fragment):
         await asyncio.sleep(wait)
     else:
         self.hurried = None
-    await on_message(self, fragment)
+    began = time.thread_time()
+    await handle(self, fragment)
+    used = time.thread_time() - began
+    # at least one turn of the loop: what was read in one go would be handled in one go
+    await asyncio.sleep(min(self.work.wait(used), LONGEST_TURN) if others_wait(self) else 0)
 
 
 @functools.wraps(on_close)
 def close_once(self):
     """Take leave of a session; a socket that was cut in the middle of an answer has none."""
+    active.pop(self, None)
     if self.connection is None or self.connection._session is not None:
         on_close(self)
 
