@@ -24,7 +24,7 @@ SCRIPTS = ("page.js", "units.js", "paper.js", "inspector.js", "shaft.js", "lesso
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
     "load_frequency": ("axial", "follower", "growing", "limit", "current"),
-    "campbell": ("backward", "forward", "synchronous", "current"),
+    "campbell": ("backward", "forward", "growing", "synchronous", "current"),
     "coefficients": ("exact", "linear"),
     "errors": ("k11", "k22", "level"),
 }

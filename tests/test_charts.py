@@ -112,7 +112,7 @@ def test_complex_stretches_are_drawn_apart_from_real_ones():
         assert role == "axial"
         np.testing.assert_array_equal(np.isnan(real), is_complex)
         np.testing.assert_array_equal(real[~is_complex], column.real[~is_complex])
-        pairs = [row for row in rows if row[2] == f"{name}, complex pair"]
+        pairs = [row for row in rows if row[2] == f"{name}, growing"]
         assert len(pairs) == is_complex.any()
         for _, pair, _, _ in pairs:
             assert np.isfinite(pair[is_complex]).all()
@@ -120,6 +120,19 @@ def test_complex_stretches_are_drawn_apart_from_real_ones():
             both = np.isfinite(pair) & np.isfinite(real)
             changes = int(np.abs(np.diff(is_complex.astype(int))).sum())
             assert 1 <= both.sum() <= changes
+
+
+def test_only_whirls_that_grow_are_drawn_as_growing():
+    calm = solved({"external_damping": 0.05, "spin_speed": 2.0, "load_type": "follower"})
+    assert "growing" not in calm["campbell"].layer("whirl").columns["role"]
+    whirls = calm["load-frequency"].layer("whirl").columns
+    for name, role in zip(whirls["name"], whirls["role"], strict=True):
+        assert role == ("growing" if name.endswith("growing") else name.split(", ")[1])
+    # internal damping drives the forward whirl beyond its critical speed, and no other
+    driven = solved({"external_damping": 0.01, "internal_damping": 0.05})["campbell"]
+    columns = driven.layer("whirl").columns
+    rows = zip(columns["name"], columns["role"], strict=True)
+    assert [name for name, role in rows if role == "growing"] == ["1F, growing"]
 
 
 def test_the_present_values_are_marked():
@@ -149,6 +162,7 @@ def test_roles_differ_by_more_than_colour():
         ("backward", "forward"),
         ("axial", "follower", "axial exact", "follower exact", "growing"),
         ("axial", "partly", "follower", "growing", "partly exact", "axial exact"),
+        ("backward", "forward", "growing", "synchronous"),
         ("exact", "linear"),
     ):
         assert len({(ROLES[name].dash) for name in group}) == len(group), group

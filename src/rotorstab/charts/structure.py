@@ -24,7 +24,7 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
-_REAL = 1e-9  # |Im ω| below which a tracked frequency is drawn as real
+_REAL = 1e-9  # of |ω|: an imaginary part below this is rounding
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ ROLES: Mapping[str, Role] = {
     "axial exact": Role("#1f7fbf", "12 3 2 3", 2.0, "axial, exact stiffness"),
     "follower exact": Role("#cf5a12", "2 4 8 4", 1.6, "follower, exact stiffness"),
     "edge": Role("#9a4fd0", "solid", 1.3, "edge of a tongue (Floquet)"),
-    "growing": Role("#a8518a", "2 4", 2.6, "complex pair: Re ω̄ of a growing whirl"),
+    "growing": Role("#a8518a", "2 4", 2.6, "Re ω̄ of a whirl that grows"),
     "synchronous": Role("#80868f", "8 4 2 4", 1.4, "synchronous, |ω̄| = Ω̄"),
     "current": Role("#0f8a6a", "solid", 1.8, "present setting"),
     "exact": Role("#1f7fbf", "solid", 2.2, "exact (Appendix A)"),
@@ -134,21 +134,35 @@ class Lines:
         self.add(np.array([x, x]), np.array(y_range), name, role)
 
     def whirl(self, curves: WhirlCurves, roles: tuple[str, str], name: str) -> None:
-        """Add every mode: its real stretches in its role, complex ones as growing.
+        """Add every mode in its role, stretches where the whirl grows as growing.
 
         `roles` is for backward and forward modes; `name` has a place for the mode.
         """
-        for column, mode in zip(curves.frequencies.T, curves.names, strict=True):
-            complex_ = np.abs(column.imag) > _REAL * np.abs(column)
-            real = np.where(complex_, np.nan, column.real)
-            self.add(curves.parameter, real, name.format(mode), roles[mode.endswith("F")])
-            if complex_.any():
+        grows = _growing(curves.frequencies)
+        columns = zip(curves.frequencies.real.T, grows.T, curves.names, strict=True)
+        for column, growing, mode in columns:
+            calm = np.where(growing, np.nan, column)
+            self.add(curves.parameter, calm, name.format(mode), roles[mode.endswith("F")])
+            if growing.any():
                 # one sample more on each side, so that the stretches meet
-                near = complex_.copy()
-                near[1:] |= complex_[:-1]
-                near[:-1] |= complex_[1:]
-                pair = np.where(near, column.real, np.nan)
-                self.add(curves.parameter, pair, f"{name.format(mode)}, complex pair", "growing")
+                near = growing.copy()
+                near[1:] |= growing[:-1]
+                near[:-1] |= growing[1:]
+                stretch = np.where(near, column, np.nan)
+                self.add(curves.parameter, stretch, f"{name.format(mode)}, growing", "growing")
+
+
+def _growing(frequencies: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Return where whirls (m, 2n) grow, or are the decaying twin of one: a conjugate pair.
+
+    Without damping a pair that has met shares its real part, and one of the two grows.
+    """
+    size = np.abs(frequencies)
+    rounding = _REAL * size + 1e-12 * size.max(axis=1, initial=0.0, keepdims=True)
+    grows = frequencies.imag < -rounding
+    twins = frequencies[:, :, None] - frequencies[:, None, :].conj()
+    near = np.abs(twins) <= 1e-6 * size[:, :, None]
+    return np.asarray(grows | (near & grows[:, None, :]).any(axis=2))
 
 
 def axis_symbol(label: str) -> tuple[str, str]:
