@@ -40,6 +40,7 @@ from rotorstab.charts import (
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
 from rotorstab.stability import StabilityChart
 from rotorstab.stiffness import largest_exact_load
+from rotorstab.whirl import mode_names, named_frequencies
 from rotorstab.window import Model, Window
 
 from .growth import known_map
@@ -170,11 +171,11 @@ def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> floa
 
 
 def _frequencies(system: System, load: float) -> dict[str, list[float]]:
-    """Return the four whirl frequencies by name, as [real, imaginary]."""
-    curves = load_frequency_curves(system, np.linspace(0.0, load, 24) if load else [0.0])
+    """Return the whirl frequencies by name, as [real, imaginary]."""
+    found = named_frequencies(system, load)
     return {
         name: [float(value.real), float(value.imag)]
-        for name, value in zip(curves.names, curves.frequencies[-1], strict=True)
+        for name, value in zip(mode_names(system.size), found, strict=True)
     }
 
 

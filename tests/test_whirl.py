@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 
 import rotorstab as rs
-from rotorstab.whirl import eigenvalues, entries, mixed, mode_names, track
+from rotorstab.whirl import eigenvalues, entries, mixed, mode_names, named_frequencies, track
 from tests.strategies import between, rotors, spin_speeds, tangencies
 
 BASE = rs.BASE_CASE
@@ -267,3 +267,39 @@ def test_shapes_that_make_no_curve_are_refused():
         rs.critical_speeds(rs.lumped(BASE, 1.0), [0.0, 1.0])
     with pytest.raises(ValueError, match="`load` must be below the pole of the exact stiffness"):
         rs.whirl_frequencies(rs.lumped(BASE, 1.0, stiffness="exact"), 40.0)
+
+
+def damped_by_elements(speed):
+    return rs.finite_element(BASE, speed, 0.0, 20, 4, 0.05, 0.1)
+
+
+def test_overdamped_modes_do_not_take_the_names_of_the_slow_ones():
+    # the third and fourth modes are overdamped: their Re ω lies among those of the first two
+    load, names = 0.5 * REFERENCE, mode_names(4)
+    found = dict(zip(names, named_frequencies(damped_by_elements(4.0), load), strict=True))
+    undamped = rs.whirl_frequencies(rs.finite_element(BASE, 4.0, 0.0, 20, 4), load).real
+    bare = dict(zip(names, undamped, strict=True))
+    for name in ("2B", "1B", "1F", "2F"):
+        assert abs(found[name].real - bare[name]) < 0.2
+    curves = rs.campbell_diagram(damped_by_elements(0.0), np.linspace(0, 4, 200), load)
+    assert curves.frequencies[-1] == pytest.approx([found[name] for name in names], abs=1e-9)
+    table = rs.resonances(damped_by_elements(4.0), load, 0.1)
+    for name, one in zip(table.modes, table.frequencies, strict=True):
+        assert one == pytest.approx(found[name], abs=1e-6)
+
+
+def test_curves_of_damped_modes_carry_one_name_over_spin_and_load():
+    for external, internal in [(0.05, 0.0), (0.02, 0.1), (0.2, 0.2)]:
+        system = rs.lumped(BASE, 2.0, 1.0, external, internal)
+        spun = rs.campbell_diagram(system, np.linspace(0, 4, 201), 1.0).frequencies[100]
+        loaded = rs.load_frequency_curves(system, np.linspace(-1, 1, 201)).frequencies[-1]
+        named = named_frequencies(system, 1.0)
+        assert spun == pytest.approx(named, abs=1e-9)
+        assert loaded == pytest.approx(named, abs=1e-9)
+
+
+def test_rounding_is_no_frequency():
+    rotor = rs.ShaftDisk(shear=0.1, disk_mass=0.5, diametral_inertia=0.01, polar_inertia=6.0)
+    found = named_frequencies(rs.lumped(rotor, 0.0, 0.0, 0.2, 0.2, stiffness="exact"), 1.8)
+    assert not found.real.any()
+    assert (found.imag > 0).all()

@@ -19,12 +19,12 @@ from rotorstab import (
     critical_speeds,
     flutter_load,
     fundamental_frequency,
-    load_frequency_curves,
     lumped,
     resonances,
     whirl_frequencies,
 )
 from rotorstab.floquet import FloquetSolution, floquet_solution
+from rotorstab.whirl import mode_names, named_frequencies
 
 from ..analysis import Model
 from ..state import State
@@ -108,13 +108,10 @@ class Situation:
 
     def whirl(self, mode: str) -> complex:
         """Return a mode's complex frequency, followed from no load as in the charts."""
-        loads = np.linspace(0.0, self.static, 24) if self.static else np.zeros(1)
-        order = slice(None) if self.static >= 0 else slice(None, None, -1)
-        curves = load_frequency_curves(self.system, loads[order])
-        if mode not in curves.names:
+        names = mode_names(self.system.size)
+        if mode not in names:
             raise ValueError(f"this model has no mode {mode}")
-        row = curves.frequencies[order][-1]
-        return complex(row[curves.names.index(mode)])
+        return complex(named_frequencies(self.system, self.static)[names.index(mode)])
 
     def pair(self, name: str) -> Resonance:
         """Return the row of a pair of modes."""

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import number
-from .modal import modal_basis, mode_names
+from .modal import modal_basis
 from .system import System
+from .whirl import names_of
 
 __all__ = ["Resonance", "ResonanceTable", "resonances"]
 
@@ -204,7 +205,7 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     frequencies = basis.frequencies
     # without damping a non-zero imaginary part is flutter or buckling of the mean system
     decay = np.imag(frequencies) if np.iscomplexobj(frequencies) else np.zeros(2 * n)
-    names = mode_names(frequencies)
+    names = names_of(system, static, frequencies)
     unstable_mean = bool(-decay.min() > 1e-9 * np.abs(frequencies).max())
     rows = []
     for i, j in combinations(range(2 * n), 2):

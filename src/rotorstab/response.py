@@ -14,11 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import number, numbers
 from .floquet import extrapolation_weights
-from .modal import modal_basis, mode_names, splitting_basis
+from .modal import modal_basis, splitting_basis
 from .rotor import ShaftDisk
 from .splitting import POINT_SCHEME, segment_propagators
 from .stiffness import exact_stiffness
 from .system import System, fundamental_frequency
+from .whirl import names_of
 
 __all__ = ["ShaftShape", "TimeResponse", "initial_conditions", "shaft_shape", "time_response"]
 
@@ -152,7 +153,7 @@ def initial_conditions(
         speed = fundamental_frequency(system) * impulse / impulse[0]
         return np.concatenate([np.zeros(n), speed]).astype(complex)
     basis = modal_basis(system, number("static_load", static_load))
-    names = mode_names(basis.frequencies)
+    names = names_of(system, float(static_load), basis.frequencies)
     modes = basis.vectors.astype(complex)
     # z = (q, −jq̇)
     modes[n:] *= 1j

@@ -7,7 +7,7 @@ by |ω| within each direction, at no load).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from scipy.linalg import eigvals
 from scipy.optimize import linear_sum_assignment
 
 from .checks import number, numbers, series
+from .modal import mode_names as ranked_names
 from .quartic import quartic_roots
 from .system import System
 
@@ -26,12 +27,17 @@ __all__ = [
     "critical_speeds",
     "load_frequency_curves",
     "mode_names",
+    "named_frequencies",
+    "names_of",
     "track",
     "whirl_frequencies",
 ]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+
+_LOADS, _DAMPINGS = 48, 160  # steps in which a spectrum is followed to be named
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -206,19 +212,70 @@ def track(rows: Complex, start: int = 0) -> Complex:
     steps = np.flatnonzero(some[1:] & some[:-1] & moved)
     if not steps.size:
         return rows
-    before, after = rows[steps], rows[steps + 1]
-    kept = np.abs(after - before) ** 2
-    swapped = (
-        np.abs(after[:, 1:] - before[:, :-1]) ** 2 + np.abs(after[:, :-1] - before[:, 1:]) ** 2
-    )
-    steps = steps[(swapped < kept[:, 1:] + kept[:, :-1]).any(axis=1)]
-    if not steps.size:
+    costs = np.abs(rows[steps, :, None] - rows[steps + 1, None, :]) ** 2
+    # where every root stays nearest to itself no other order is better
+    kept = (costs.argmin(axis=2) == np.arange(rows.shape[1])).all(axis=1)
+    if kept.all():
         return rows
     orders = np.tile(np.arange(rows.shape[1]), (len(rows), 1))
-    for step in steps:
-        cost = np.abs(rows[step][:, None] - rows[step + 1]) ** 2
+    for step, cost in zip(steps[~kept], costs[~kept], strict=True):
         orders[step + 1 :] = linear_sum_assignment(cost)[1][orders[step]]
     return np.take_along_axis(rows, orders, axis=1)[:, np.argsort(orders[start])]
+
+
+def named_frequencies(system: System, load: float = 0.0) -> Complex:
+    """Return ω (2n,) in the order of `mode_names`, followed from the undamped, unloaded rotor.
+
+    A strongly damped whirl has no order by frequency: its Re ω may be anything. So damping is
+    raised from nothing, then the load.
+
+    Parameters
+    ----------
+    system : System
+        At one spin speed.
+    load : float
+        p̄ [EI/L²].
+
+    Returns
+    -------
+    (2n,) complex
+    """
+    one_speed(system)
+    loads = np.linspace(0.0, load, _LOADS) if load else np.zeros(1)
+    rows = [whirl_frequencies(system, loads)]
+    if system.is_damped:
+        # quadratic, for the fastest modes are the first to be damped out
+        share = np.linspace(0.0, 1.0, _DAMPINGS)[:-1, None, None] ** 2
+        rising = replace(
+            system,
+            external_damping=share * system.external_damping,
+            internal_damping=share * system.internal_damping,
+        )
+        rows.insert(0, whirl_frequencies(rising, 0.0))
+    found = track(np.concatenate(rows))[-1]
+    # what is far below the fastest whirl is rounding
+    small = _ROUNDING * np.abs(found).max()
+    found.real[np.abs(found.real) <= small] = 0.0
+    found.imag[np.abs(found.imag) <= small] = 0.0
+    return np.asarray(found)
+
+
+def names_of(system: System, load: float, frequencies: ArrayLike) -> tuple[str, ...]:
+    """Name the frequencies ω (2n,) of a system in any order, as the whirl curves do.
+
+    Undamped ones go by rank, as `modal.mode_names` has it.
+    """
+    if not system.is_damped:
+        return ranked_names(frequencies)
+    cost = np.abs(np.subtract.outer(np.asarray(frequencies), named_frequencies(system, load))) ** 2
+    names = mode_names(system.size)
+    return tuple(names[index] for index in linear_sum_assignment(cost)[1])
+
+
+def _in_order(rows: Complex, named: Complex, start: int) -> Complex:
+    """Return tracked rows with their columns in the order of the named frequencies."""
+    cost = np.abs(named[:, None] - rows[start]) ** 2
+    return rows[:, linear_sum_assignment(cost)[1]]
 
 
 def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
@@ -245,6 +302,8 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
     one_speed(system)
     start = int(np.abs(loads).argmin()) if loads.size else 0
     rows = track(whirl_frequencies(system, loads), start)
+    if system.is_damped and loads.size:
+        rows = _in_order(rows, named_frequencies(system, float(loads[start])), start)
     return WhirlCurves(loads, rows, mode_names(system.size))
 
 
@@ -256,7 +315,8 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
     system : System
         Its own spin speed is not used.
     spin_speeds : (m,) float
-        Ascending Ω̄ [√(EI/(ρAL⁴))]; modes are followed from the first.
+        Ascending Ω̄ [√(EI/(ρAL⁴))]; modes are followed from the first, with damping from the
+        fastest.
     load : float
         p̄ [EI/L²].
 
@@ -270,8 +330,14 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
         If an argument is not finite.
     """
     speeds = series("spin_speeds", spin_speeds)
-    rows = whirl_frequencies(system.at_speed(speeds), number("load", load))
-    return WhirlCurves(speeds, track(rows), mode_names(system.size))
+    load = number("load", load)
+    rows = track(whirl_frequencies(system.at_speed(speeds), load))
+    if system.is_damped and speeds.size:
+        # where the two precessions differ most; at rest an overdamped pair has neither
+        start = int(np.abs(speeds).argmax())
+        named = named_frequencies(system.at_speed(speeds[start]), load)
+        rows = _in_order(rows, named, start)
+    return WhirlCurves(speeds, rows, mode_names(system.size))
 
 
 def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
