@@ -1,8 +1,9 @@
 """A hostile client beside an honest one: does the server live, leak or slow down?
 
-One client, a process of its own, sends malformed messages, then messages full of hostile values, as
-fast as it is let; a bystander moves a slider all the while. The solver inside the server is spied on: every number
-that reaches it must be finite and within State's bounds (`tests/spy.py`). All streams are seeded.
+One client, a process of its own, sends malformed messages, then messages full of hostile values,
+as fast as it is let; a bystander moves a slider all the while. The solver inside the server is
+spied on: every number that reaches it must be finite and within State's bounds (`tests/spy.py`).
+All streams are seeded.
 """
 
 import argparse
@@ -39,7 +40,7 @@ logging.getLogger("rotorstab.spy").warning(
     "spy: %d calls, %d violations %s", sum(spy.seen.values()), len(spy.found), spy.found[:3])
 """
 SEED = 20260601
-EACH = 100  # hostile values a message
+EACH = len(hostile.NAMES)  # hostile values a message
 PAUSE = 0.05  # s between the bystander's moves
 MOST = 2.0  # p95 under abuse over p95 alone
 
