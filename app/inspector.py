@@ -164,8 +164,10 @@ def _motion(
 
 def _pace_of(motion: TimeResponse) -> float:
     """Return the mean angular speed of the tip about the axis, for the pace of the animation."""
-    turned = np.angle(motion.displacement[1:] * motion.displacement[:-1].conj())
-    weights = np.abs(motion.displacement[1:])
+    turned = np.angle(np.exp(1j * np.diff(np.angle(motion.displacement))))
+    size = np.abs(motion.displacement[1:])
+    # growth may have taken the tip near the end of double precision
+    weights = size / (size.max() or 1.0)
     total = float(weights.sum())
     if total == 0:
         return 0.0

@@ -2,12 +2,13 @@
 
 import json
 from base64 import b64decode
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from app.analysis import CHARTS, solve
-from app.inspector import INSPECTOR_CHARTS, inspect
+from app.inspector import INSPECTOR_CHARTS, _pace_of, inspect
 from app.session import Session
 from app.share import from_arguments, to_query
 from app.state import State
@@ -350,3 +351,10 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page.locator(".marker-remove").click()
     page.wait_for_function("rotorstab.last.inspector === null")
     assert page.locator(".card.inspector").is_hidden()
+
+
+def test_the_pace_of_a_motion_near_the_end_of_double_precision():
+    time = np.linspace(0, 10, 200)
+    for size in (1.0, 1e200, 0.0):
+        motion = SimpleNamespace(time=time, displacement=size * np.exp(1.5j * time))
+        assert _pace_of(motion) == pytest.approx(1.5 if size else 0.0)

@@ -6,7 +6,7 @@ from rotors import P, W, one_dof
 
 from rotorstab import BASE_CASE, critical_load, finite_element, lumped
 from rotorstab.floquet import growth_rate
-from rotorstab.resonance import resonances
+from rotorstab.resonance import _tongue, resonances
 
 # speed, tangency, then pair: centre/ω_n, growth per β_d (theory, base case, α_s = 0.5)
 TABLE = {
@@ -122,3 +122,10 @@ def test_mean_system_past_buckling_is_flagged():
     table = resonances(lumped(BASE_CASE, 0.0), 1.2 * float(critical_load(BASE_CASE.shear)), 0.1)
     assert table.mean_growth > 0
     assert not table.tongues
+
+
+@pytest.mark.parametrize("decay", [(0.0, 0.1), (1e-200, 1e-180), (5e-324, 5e-324)])
+def test_a_decay_that_underflows_is_none(decay):
+    per_load, growth, width, threshold = _tongue(4.0 + 0j, decay, 0.5)
+    assert (per_load, width, threshold) == pytest.approx((1.0, 1.0, 0.0))
+    assert growth == pytest.approx(0.5, rel=0.11)

@@ -134,9 +134,9 @@ def _tongue(coupling: complex, decay: tuple[float, float], load: float) -> tuple
         return 0.0, growth, 0.0, np.inf
     if low < 0:
         return per_load, np.nan, np.nan, 0.0
-    if low == 0:
-        return per_load, growth, 2 * drive**0.5, 0.0
     product = low * high
+    if product == 0:  # or so small that it underflows
+        return per_load, growth, 2 * drive**0.5, 0.0
     width = (low + high) * max(drive / product - 1, 0.0) ** 0.5
     return per_load, growth, width, 2 * (product / strength) ** 0.5
 
