@@ -6,6 +6,7 @@ it changes. Their size is bounded; their arrays are read-only.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
@@ -80,8 +81,9 @@ class FloquetAnswer:
     fundamental_frequency, reference_load : float
         ω_n and what β_d = 1 stands for.
     unstable_share, bolotin_share, both_share : float
-        Shares of the chart's area; the latter two NaN where there is no Bolotin region to
-        compare with.
+        Shares of the computed part of the chart, NaN where nothing is.
+    unstable_from : float
+        Lowest β_d of an unstable pixel, inf where there is none.
     followed_from : float
         θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
     """
@@ -93,6 +95,7 @@ class FloquetAnswer:
     unstable_share: float
     bolotin_share: float
     both_share: float
+    unstable_from: float = math.inf
     followed_from: float = 0.0
 
 
@@ -170,6 +173,23 @@ def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> floa
     return float(shown.min()) / fundamental_frequency if shown.size else np.inf
 
 
+def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[str, float]:
+    """Return the shares of the window's computed part, and the lowest unstable β_d."""
+    known = np.isfinite(growth.growth)
+    # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
+    grows = (growth.growth > growth.error) & known
+    rows = growth.pulsating_loads[grows.any(axis=1)]
+    count = int(known.sum())
+    return {
+        name: int((part & known).sum()) / count if count else math.nan
+        for name, part in (
+            ("unstable_share", grows),
+            ("bolotin_share", mask),
+            ("both_share", mask & grows),
+        )
+    } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
+
+
 def _frequencies(system: System, load: float) -> dict[str, list[float]]:
     """Return the whirl frequencies by name, as [real, imaginary]."""
     found = named_frequencies(system, load)
@@ -220,8 +240,6 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
     flutter = _flutter(rotor, spin)
     made = known_map(_window(inputs), settled)
     growth, mask = made.growth, made.mask
-    # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
-    centre = growth.growth > growth.error
     grid = GrowthGrid(
         growth.growth,
         growth.unstable,
@@ -263,9 +281,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             frequency_range=frequency_range,
             fundamental_frequency=frequency,
             reference_load=reference,
-            unstable_share=float(centre.mean()),  # what is blank counts as stable
-            bolotin_share=float(mask.mean()),
-            both_share=float((mask & centre).mean()),
+            **_shares(growth, mask, reference),
             followed_from=_followed_from(growth, frequency),
         ),
     )

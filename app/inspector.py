@@ -107,7 +107,7 @@ def _nearest_pair(result: Result, excitation: float) -> Pair | None:
         ):
             row = next(row for row in table if {row.first, row.second} == {first, second})
             word = "difference" if first[-1] == second[-1] else "sum"
-            best = Pair(row.name, pair, f"{word} of {first} and {second}", row.unstable)
+            best = Pair(row.name, pair, f"{word} of {first} and {second}", row.threshold)
     return best
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -122,11 +123,12 @@ def _numbers(result: Result, scales: Scales | None, settled: bool = True) -> dic
         grows = ""
         if abs(imaginary) > 1e-9:
             word = "grows" if imaginary < 0 else "decays"
-            rate = f", {word} by {abs(imaginary):.3g} 1/s"
-            grows = rate if si else f" {imaginary:+.3g}j".replace("-", "−")
+            grows = f", {word} by {abs(imaginary):.3g}{' 1/s' if si else ''}"
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
-    share = f"{100 * result.floquet.unstable_share:.3g} %"
-    numbers["Unstable share of the window"] = share if settled else f"≈ {share}"
+    part = result.floquet.unstable_share
+    share = f"{100 * part:.3g} %" if math.isfinite(part) else "not computed"
+    rough = not settled and math.isfinite(part)
+    numbers["Unstable share of the computed window"] = f"≈ {share}" if rough else share
     tongues = result.floquet.table.tongues
     numbers["Tongues"] = ", ".join(row.name for row in tongues) or "none"
     return numbers

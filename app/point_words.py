@@ -21,12 +21,12 @@ _PRECISE = 1e-8  # growth below this is rounding
 
 @dataclass(frozen=True)
 class Pair:
-    """Two whirl modes and how far θ̄ is from the frequency at which they would resonate."""
+    """Two whirl modes whose resonance is nearest, and the load from which it is a tongue."""
 
     name: str
     frequencies: tuple[float, float]
     combination: str
-    unstable: bool
+    threshold: float
 
 
 def quantity(value: float) -> str:
@@ -152,7 +152,12 @@ def describe(
         facts.append(["Period T of the load", units.time(period)])
     lies = "multipliers lie" if outside > 1 else "multiplier lies"
     sentence += f"; {outside or 'no'} {lies} outside the unit circle. "
-    if bolotin == unstable:
+    if result.floquet.table.mean_growth > _PRECISE:
+        sentence += (
+            "The steady motion grows by itself, without any pulsation, so no tongue stands out."
+        )
+        pair = None
+    elif bolotin == unstable:
         sentence += f"Bolotin agrees: the point is {region}."
     elif bolotin:
         sentence += (
@@ -175,10 +180,17 @@ def _near(state: State, pair: Pair, result: Result, units: Units) -> tuple[list[
         ["Nearest pair", f"{pair.name} at {units.place(centre)}"],
         ["θ above it by", units.offset(state.marker_frequency - centre)],
     ]
-    word = "makes a tongue" if pair.unstable else "makes no tongue under this load"
+    threshold = pair.threshold / units.reference
+    word = "makes no tongue under this load"
+    if threshold == 0:
+        word = "makes a tongue"
+    elif np.isfinite(threshold):
+        word = (
+            f"makes a tongue where damping gives way, from {units.factor(threshold)} to first order"
+        )
     words = f" Nearest is the {pair.combination}, {units.excitation(centre)}, which {word}"
     tongues = result.floquet.table.tongues
-    if not pair.unstable and tongues:
+    if not np.isfinite(threshold) and tongues:
         excitation = state.marker_frequency * frequency
         tongue = min(tongues, key=lambda row: abs(row.centre - excitation))
         place = units.place(tongue.centre / frequency).removeprefix("θ/ωₙ = ")

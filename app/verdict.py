@@ -10,6 +10,7 @@ from .analysis import FloquetAnswer
 
 __all__ = ["verdict"]
 
+_GROWS = 1e-9  # growth of the mean system above rounding
 _MOST = 6  # tongues named in one sentence
 
 
@@ -39,7 +40,7 @@ def _tongues(answer: FloquetAnswer, scales: Scales | None) -> str:
     frequency = answer.fundamental_frequency
     inside = [one for one in answer.table.tongues if low <= one.centre / frequency <= high]
     if not inside:
-        return "No tongue of first order starts in this window."
+        return "No tongue of first order is open in this window at β_d = 0.1."
     named = "; ".join(_tongue(one, frequency, scales) for one in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
     word = "tongue" if len(inside) == 1 else "tongues"
@@ -52,7 +53,7 @@ def _tongues(answer: FloquetAnswer, scales: Scales | None) -> str:
 
 def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
     table = answer.table
-    if table.mean_growth > 1e-9:
+    if table.mean_growth > _GROWS:
         rate = (
             f"σ̄ = {table.mean_growth:.3g}"
             if scales is None
@@ -61,21 +62,33 @@ def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
         return f"The rotor is unstable without any pulsation: its steady motion grows at {rate}."
     first = min(table, key=lambda row: row.threshold)
     if not math.isfinite(first.threshold):
-        return "No pulsation, however large, makes two modes resonate."
+        return "To first order no pulsation, however large, makes two modes resonate."
     if first.threshold == 0:
         return (
             "Without damping any pulsation, however small, suffices at a first-order "
             "tongue’s centre."
         )
-    factor = f"β_d = {first.threshold / answer.reference_load:.3f}"
-    return (
-        f"Damping holds up to {factor}{_newtons(first.threshold, scales)}; {first.name} goes first."
+    threshold = first.threshold / answer.reference_load
+    words = (
+        f"To first order, damping holds up to β_d = {threshold:.3f}"
+        f"{_newtons(first.threshold, scales)}; {first.name} goes first"
     )
+    if answer.unstable_from < 0.9 * threshold:
+        load = _newtons(answer.unstable_from * answer.reference_load, scales)
+        words += f", yet the map shows growth from β_d = {answer.unstable_from:.3f}{load}"
+    return words + "."
 
 
 def _comparison(answer: FloquetAnswer) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
-    text = f"Of this window {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
+    if math.isnan(true):
+        return ""
+    place = "the computed part of this window" if _is_part(answer) else "this window"
+    if answer.table.mean_growth > _GROWS:
+        if true == 1:
+            return f" All of {place} is unstable, at any pulsation."
+        return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
+    text = f" Of {place} {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
     if true > 0 and bolotin > true:
         text += f", overstating the area by {100 * (bolotin / true - 1):,.0f} %"
     missed = true - both
@@ -84,13 +97,18 @@ def _comparison(answer: FloquetAnswer) -> str:
     return text + "."
 
 
+def _is_part(answer: FloquetAnswer) -> bool:
+    """Whether more than a sliver of the window is blank."""
+    low, high = answer.frequency_range
+    return answer.followed_from > low + 0.02 * (high - low)
+
+
 def _blank(answer: FloquetAnswer) -> str:
     """Say which part of the window is blank, where that is more than a sliver."""
-    low, high = answer.frequency_range
     start = answer.followed_from
-    if start <= low + 0.02 * (high - low):
+    if not _is_part(answer):
         return ""
-    where = f"Below θ/ωₙ = {start:.3g}" if start < high else "Here"
+    where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
     return (
         f" {where} the map is blank: the shaft whirls too often in one period of so slow a load "
         "to be followed in time."
@@ -102,5 +120,7 @@ def verdict(answer: FloquetAnswer, scales: Scales | None = None) -> str:
 
     With `scales` frequencies are in Hz, growth is per second and loads are in N beside β_d.
     """
-    words = " ".join((_tongues(answer, scales), _margin(answer, scales), _comparison(answer)))
-    return words + _blank(answer)
+    words = f"{_tongues(answer, scales)} {_margin(answer, scales)}"
+    if answer.table.mean_growth > _GROWS:
+        words = _margin(answer, scales)  # no tongue stands out of what grows everywhere
+    return words + _comparison(answer) + _blank(answer)

@@ -100,7 +100,7 @@ window.rotorstab = (() => {
       if (Math.abs(imaginary) > 1e-9) {
         const extra = document.createElement("small");
         extra.className = "complex";
-        extra.textContent = ` ${imaginary < 0 ? "−" : "+"} ${number(Math.abs(imaginary))}j, ${imaginary < 0 ? "grows" : "decays"}`;
+        extra.textContent = ` ${imaginary < 0 ? "grows" : "decays"} ${number(Math.abs(imaginary))}`;
         place.append(extra);
       }
     }

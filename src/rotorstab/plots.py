@@ -219,7 +219,7 @@ def _map_hover(chart: Chart) -> HoverTool:
     words = CustomJSHover(
         code="""
         return ["both stable", "Floquet: unstable, Bolotin: no region",
-                "Floquet: stable, Bolotin region", "both: unstable"][value]
+                "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
         """
     )
     return HoverTool(

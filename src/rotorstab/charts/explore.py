@@ -84,6 +84,7 @@ def _growth_layers(
     bolotin = np.zeros_like(grid.unstable) if grid.bolotin is None else grid.bolotin
     place = {"x": [left], "y": [0.0], "dw": [right - left], "dh": [top]}
     verdict = grid.unstable.astype(np.uint8) + 2 * bolotin.astype(np.uint8)
+    verdict[~np.isfinite(grid.growth)] = 4  # not computed: it disagrees with nothing
     clear = np.float32(np.nan)
     disagree = np.full(verdict.shape, clear, np.float32)
     if grid.bolotin is not None:

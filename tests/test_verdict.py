@@ -1,0 +1,99 @@
+"""The verdict and the words of the marked point against the map and the table."""
+
+import numpy as np
+import pytest
+
+from app.analysis import solve
+from app.inspector import inspect
+from app.state import State
+from app.verdict import verdict
+
+DRIVEN = {
+    "model": "finite elements",
+    "spin_speed": 4,
+    "external_damping": 0.05,
+    "internal_damping": 0.1,
+}
+HEAVY = {
+    "spin_speed": 0,
+    "disk_mass": 0.5,
+    "diametral_inertia": 0.01,
+    "polar_inertia": 6,
+    "static_load_factor": 0.95,
+    "shear": 0.1,
+    "largest_factor": 2,
+    "law": "exact",
+    "external_damping": 0.2,
+    "internal_damping": 0.2,
+}
+HELD = {"external_damping": 0.05, "load_type": "follower"}
+
+
+def solved(values, settled=True):
+    state = State()
+    assert state.change(values) == {}
+    return state, solve(state, settled)
+
+
+def test_a_rotor_that_grows_by_itself_is_not_compared_with_bolotin():
+    _, result = solved(DRIVEN)
+    words = verdict(result.floquet)
+    assert "unstable without any pulsation" in words
+    assert "All of the computed part of this window is unstable, at any pulsation." in words
+    assert "overstating" not in words
+    assert "No tongue" not in words
+    # what is not computed is no disagreement
+    layers = result.charts["instability"]
+    growth = result.charts["instability"].layer("growth").columns["rate"][0]
+    assert np.isnan(layers.layer("disagreement").columns["image"][0][:, growth[0] == 0]).all()
+
+
+def test_shares_are_of_the_computed_part():
+    _, result = solved(HEAVY)
+    answer = result.floquet
+    disagree = result.charts["instability"].layer("disagreement").columns["image"][0]
+    columns = disagree.shape[1]
+    low, high = answer.frequency_range
+    centres = low + (np.arange(columns) + 0.5) / columns * (high - low)
+    known = int((centres >= answer.followed_from - 1e-9).sum())
+    assert 0 < known < columns
+    # the share is a whole number of computed pixels
+    pixels = answer.unstable_share * known * disagree.shape[0]
+    assert pixels == pytest.approx(round(pixels), abs=1e-6)
+    assert answer.unstable_share > 0.1
+    words = verdict(answer)
+    assert "Of the computed part of this window" in words
+    assert words.count("To first order, damping holds up to") == 1
+    assert f"yet the map shows growth from β_d = {answer.unstable_from:.3f}" in words
+
+
+def test_nothing_computed_gives_no_share():
+    small = {"diametral_inertia": 0.01, "spin_speed": 4, "polar_inertia": 6}
+    _, result = solved(small | {"highest_frequency": 0.5}, settled=False)
+    answer = result.floquet
+    assert np.isnan(answer.unstable_share)
+    assert "Of " not in verdict(answer)
+    assert (result.charts["instability"].layer("growth").columns["verdict"][0] == 4).all()
+    image = result.charts["instability"].layer("disagreement").columns["image"][0]
+    assert np.isnan(image).all()
+
+
+def test_inspector_and_verdict_agree_on_a_tongue_that_damping_holds_down():
+    state, result = solved(HELD | {"marker": True, "marker_frequency": 1.987, "marker_factor": 0.2})
+    first = min(result.floquet.table, key=lambda row: row.threshold)
+    threshold = f"{first.threshold / result.floquet.reference_load:.3f}"
+    assert f"damping holds up to β_d = {threshold}; {first.name} goes first" in verdict(
+        result.floquet
+    )
+    sentence = inspect(state, result).sentence
+    assert f"makes a tongue where damping gives way, from β_d = {threshold}" in sentence
+    assert "no tongue" not in sentence
+
+
+def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
+    values = {"external_damping": 0.01, "internal_damping": 0.05, "spin_speed": 3.0}
+    state, result = solved(values | {"marker": True, "marker_frequency": 9.9, "marker_factor": 0.2})
+    assert result.floquet.table.mean_growth > 0
+    sentence = inspect(state, result).sentence
+    assert "grows by itself" in sentence
+    assert "misses" not in sentence
