@@ -44,7 +44,7 @@ __all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
 INSPECTOR_CHARTS = ("response", "multipliers", "orbit")
 _ROWS = 6000  # most samples of one response; more would only slow the page
 _SAMPLES = (24, 600)  # a period
-_MOST_CYCLES = 5000  # of the whirl in a period; more would hold up other users
+_MOST_CYCLES = 1000  # of the whirl in a period; more would hold up other users
 _PER_CYCLE = 14  # samples in one cycle of the fastest whirl
 _POINTS = 25  # of the shaft's shape
 
