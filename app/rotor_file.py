@@ -188,7 +188,12 @@ class _Reader:
                     polar_inertia=given["polar_inertia"],
                 )
             except (ValueError, OverflowError, ZeroDivisionError):
-                self.fail("shaft", "is no shaft: its length and diameter do not fit together")
+                written = _plain(repr(self.tables["shaft"]["diameter"]), 70)
+                self.fail(
+                    "shaft.diameter",
+                    f"does not fit the length: {written} is {shaft['diameter']:.4g} m, "
+                    f"and the shaft is {shaft['length']:.4g} m long",
+                )
             frequency = scales.frequency
             if disk:
                 values["shear"] = rotor.shear

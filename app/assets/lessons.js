@@ -22,7 +22,8 @@ window.rotorstab.lessons = (() => {
   function progress(key) {
     const found = stored()[key];
     const steps = found && typeof found.steps === "object" && found.steps ? found.steps : {};
-    return { at: Number.isInteger(found?.at) ? found.at : 0, steps };
+    const all = Number(document.querySelector(`[data-lesson-card="${CSS.escape(key)}"]`)?.dataset.steps || 0);
+    return { at: Number.isInteger(found?.at) && found.at < all ? found.at : 0, steps };
   }
   function keep(key, change) {
     const all = stored();
@@ -146,7 +147,8 @@ window.rotorstab.lessons = (() => {
   }
 
   function answered({ right, counted, words, shown }) {
-    say(words, right ? "right" : shown ? "shown" : "hint");
+    // what is not counted is no answer yet: a number with its unit, say
+    say(words, right ? "right" : shown ? "shown" : counted ? "hint" : "note");
     // what is new may lie below the panel's edge
     requestAnimationFrame(() => {
       const inside = panel().scrollHeight > panel().clientHeight;
@@ -177,13 +179,14 @@ window.rotorstab.lessons = (() => {
     place("try-part").hidden = !state && kind !== "goal";
     place("see-part").hidden = !passed(state);
     place("show").hidden = passed(state) || !state;
+    document.querySelector("main").classList.toggle("predicting", !state && kind !== "goal");
     place("back").disabled = step === 0;
     const last = step === titles.length - 1;
     const forward = place("next");
     forward.textContent = !last ? "Next" : next ? "Next lesson" : "Finish";
     forward.classList.toggle("strong", passed(state));
     place("steps").replaceChildren(...titles.map((title, index) => {
-      const dot = button(String(index + 1), () => go(index), passed(steps[index]) ? "done" : "");
+      const dot = button(String(index + 1), () => choose(index), passed(steps[index]) ? "done" : "");
       dot.setAttribute("aria-label", `Step ${index + 1}: ${title}${passed(steps[index]) ? ", done" : ""}`);
       dot.title = title;
       if (index === step) dot.setAttribute("aria-current", "step");
@@ -196,14 +199,16 @@ window.rotorstab.lessons = (() => {
   function stand() {
     const here = running && document.querySelector('[data-page="explore"]') && !document.querySelector('[data-page="explore"]').hidden;
     panel().hidden = !here;
+    page.mark();
     document.querySelector("main").classList.toggle("teaching", Boolean(here));
     for (const name of Object.keys(CHARTS)) if (name !== "inspector") card(name)?.classList.toggle("looked", Boolean(here) && running.look.includes(name));
     return here;
   }
 
   function show(step) {
+    if (step.key !== asked) return; // left meanwhile
     running = step;
-    asked = step.key;
+    busy(false);
     place("where").textContent = step.number ? `Lesson ${step.number} · step ${step.step + 1} of ${step.titles.length}` : `Step ${step.step + 1} of ${step.titles.length}`;
     for (const name of ["title", "intro", "heading", "predict", "try", "see"]) html(place(name), step[name]);
     numbers(place("given"), step.given);
@@ -227,17 +232,32 @@ window.rotorstab.lessons = (() => {
   }
 
   // -- coming and going ---------------------------------------------------------------
-  function go(step, held = false) { focusTo = held ? "" : "heading"; page.send({ type: "lesson", lesson: asked, step, keep: held }); }
+  function go(step, held = false) {
+    focusTo = held ? "" : "heading";
+    busy(true);
+    page.send({ type: "lesson", lesson: asked, step, keep: held });
+  }
 
-  // #lesson/name/step: the charts with that step beside them; the state is the address' own.
+  // a step chosen with a button is a place to come back to; sliders are not
+  let chosen = false;
+  function choose(step) { chosen = true; go(step); }
+
+  // nothing of the old step acts while the new one is under way, but one may leave
+  function busy(waiting) {
+    panel().setAttribute("aria-busy", String(waiting));
+    for (const part of panel().children) if (!part.matches(".lesson-head")) part.inert = waiting;
+  }
+
+  // #lesson/name/step: the charts with that step beside them; the state is the address' own,
+  // where the page was opened with one.
   // #lesson/name: the lesson where it was left, with its own state
   function visit() {
-    const found = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})(?:\/(\d{1,2}))?$/);
+    const found = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})(?:\/(\d{1,4}))?$/);
     if (!page.send) return;
     const [wanted, step] = found ? [found[1], found[2] && Math.max(0, Number(found[2]) - 1)] : [];
     if (wanted && wanted !== running?.key) {
       asked = wanted;
-      const held = !visited && step !== undefined;
+      const held = !visited && step !== undefined && sent;
       go(step ?? progress(wanted).at, held);
       if (!held) focusTo = "title";
     } else if (wanted && step !== undefined && step !== running.step) go(step);
@@ -246,11 +266,14 @@ window.rotorstab.lessons = (() => {
     if (running) stand();
   }
   let visited = false;
+  const sent = location.search.length > 1; // before the page writes its own state there
 
   // the step stands in the address, so that a link opens on it
   function name() {
     if (!location.hash.startsWith("#lesson/")) return;
-    history.replaceState(null, "", `${location.pathname}${location.search}#lesson/${running.key}/${running.step + 1}`);
+    const hash = `#lesson/${running.key}/${running.step + 1}`;
+    if (hash !== location.hash) history[chosen ? "pushState" : "replaceState"](null, "", `${location.pathname}${location.search}${hash}`);
+    chosen = false;
   }
 
   function leave() {
@@ -264,7 +287,7 @@ window.rotorstab.lessons = (() => {
 
   function forward() {
     const { step, titles, next } = running;
-    if (step < titles.length - 1) go(step + 1);
+    if (step < titles.length - 1) choose(step + 1);
     else if (next) location.hash = `lesson/${next}`;
     else leave();
   }
@@ -272,7 +295,7 @@ window.rotorstab.lessons = (() => {
   document.addEventListener("DOMContentLoaded", () => {
     place("form").addEventListener("submit", submit);
     place("close").addEventListener("click", leave);
-    place("back").addEventListener("click", () => go(running.step - 1));
+    place("back").addEventListener("click", () => choose(running.step - 1));
     place("next").addEventListener("click", forward);
     place("show").addEventListener("click", () => page.send({ type: "lesson-show" }));
     document.querySelector(".lesson-forget").addEventListener("click", () => {
@@ -284,14 +307,15 @@ window.rotorstab.lessons = (() => {
     for (const link of document.querySelectorAll('a[href^="#lesson/"]')) {
       link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(visit); });
     }
-    window.addEventListener("hashchange", visit);
+    window.addEventListener("popstate", visit); // of a change of hash too, and of Back over another query
     list();
   }, { once: true });
 
   return {
+    get running() { return Boolean(running); },
     answer(data) {
       if (data.lesson) show(data.lesson);
-      if (data.lesson === null) { asked = ""; running = null; stand(); }
+      if (data.lesson === null) { asked = ""; running = null; busy(false); stand(); }
       if (data.values) {
         values = data.values;
         for (const [name, one] of Object.entries(controls)) one.show(values[name]);

@@ -120,12 +120,20 @@ window.rotorstab = (() => {
     const wanted = location.hash.slice(1);
     const chosen = sections.find((section) => section.dataset.page === wanted) || sections[0];
     for (const section of sections) section.hidden = section !== chosen;
-    for (const link of document.querySelectorAll("nav a")) {
-      if (link.hash.slice(1) === chosen.dataset.page) link.setAttribute("aria-current", "page");
-      else link.removeAttribute("aria-current");
-    }
+    mark();
     if (page.send) page.send({ type: "page", name: chosen.dataset.page });
   }
+
+  // the menu's place: a lesson stands beside the charts, yet it is a lesson
+  function mark() {
+    const shown = document.querySelector("[data-page]:not([hidden])").dataset.page;
+    const lesson = location.hash.startsWith("#lesson/") || (shown === "explore" && page.lessons?.running);
+    for (const link of document.querySelectorAll("nav a")) {
+      if (link.hash.slice(1) === (lesson ? "lessons" : shown)) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
+    }
+  }
+  page.mark = mark;
 
   // -- short messages that go by themselves -----------------------------------
   let telling = 0;
@@ -227,7 +235,7 @@ window.rotorstab = (() => {
     });
     const dialog = document.querySelector("dialog.code");
     document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
-    document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report" }));
+    document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: location.origin + location.pathname }));
     dialog.querySelector(".shut").addEventListener("click", () => dialog.close());
     dialog.querySelector(".copy").addEventListener("click", async () => {
       try { await navigator.clipboard.writeText(dialog.querySelector("code").textContent); tell("The program is on the clipboard."); }
@@ -238,7 +246,7 @@ window.rotorstab = (() => {
     document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
-    window.addEventListener("hashchange", visit);
+    window.addEventListener("popstate", visit); // of a change of hash too, and of Back over another query
     visit();
     setTheme(root.dataset.theme, false);
     // es-module-shims fires the event a second time

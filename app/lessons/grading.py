@@ -16,7 +16,7 @@ from .questions import case_inputs
 __all__ = ["Grade", "Unanswerable", "grade", "number_text", "solution", "unanswerable"]
 
 _LONGEST = 40
-_NOT_A_NUMBER = "That is not a number yet: write it like 1.25."
+_NOT_A_NUMBER = "Write a number only, without unit, like 1.25."
 _NOT_YET = "Choose an answer first."
 
 

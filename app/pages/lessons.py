@@ -136,11 +136,15 @@ class Lessons(Page):
         lesson = library().lessons.get(key) if isinstance(key, str) else None
         if lesson is None:
             return Reply({"lesson": None, "told": "There is no such lesson on this server."})
-        known = isinstance(index, int) and 0 <= index < len(lesson.steps)
-        self._running = lesson, int(index) if known else 0
+        last = len(lesson.steps) - 1
+        asked = int(index) if isinstance(index, int) and index >= 0 else 0
+        self._running = lesson, min(asked, last)
         if not message.get("keep"):
             state.change(lesson.steps[self._running[1]].before)
-        return Reply({"lesson": describe(*self._running)}, reset_view=not message.get("keep"))
+        answer: dict[str, Any] = {"lesson": describe(*self._running)}
+        if asked > last:
+            answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
+        return Reply(answer, reset_view=not message.get("keep"))
 
     def _judge(self, step: Step, value: Any, state: State) -> dict[str, Any]:
         try:
