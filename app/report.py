@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
@@ -9,18 +10,26 @@ from typing import Any
 from .state import SYMBOLS, State
 from .units import key_numbers, named_inputs, shown_scales
 
-__all__ = ["report_html"]
+__all__ = ["page_address", "report_html"]
 
 _STYLE = """
-@page { size: A4; margin: 14mm; }
-body { font: 10.5pt/1.4 system-ui, "Noto Sans", "DejaVu Sans", sans-serif; color: #18202b;
+@page { size: A4; margin: 11mm 14mm; }
+body { font: 8.5pt/1.3 system-ui, "Noto Sans", "DejaVu Sans", sans-serif; color: #18202b;
   max-width: 182mm; margin: 8mm auto; }
-h1 { font-size: 15pt; margin: 0 0 2mm; } h2 { font-size: 11.5pt; margin: 5mm 0 1mm; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-td { border-bottom: 0.2mm solid #d5dce4; padding: 0.6mm 2mm 0.6mm 0; }
+h1 { font-size: 13pt; margin: 0 0 1mm; } h2 { font-size: 10pt; margin: 2mm 0 0.5mm; }
+p { margin: 0 0 1mm; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums;
+  font-size: 8pt; line-height: 1.2; }
+td { border-bottom: 0.2mm solid #d5dce4; padding: 0.25mm 2mm 0.25mm 0; }
 .two { display: grid; grid-template-columns: 1fr 1fr; gap: 0 8mm; }
-svg { width: 100%; height: auto; } .wide svg { max-height: 96mm; }
-footer { color: #4e5a69; font-size: 9pt; margin-top: 4mm; overflow-wrap: anywhere; }
+.three { display: grid; grid-template-columns: 1fr 1fr 1.1fr; gap: 0 6mm; align-items: start; }
+.across { grid-column: span 2; }
+svg { display: block; width: 100%; height: auto; margin: auto; }
+.wide svg { max-height: 68mm; } .two svg { max-height: 52mm; }
+footer { color: #4e5a69; font-size: 7.5pt; line-height: 1.2; margin-top: 2mm;
+  overflow-wrap: anywhere; }
+a { color: inherit; }
+@media print { body { margin: 0; } }
 """
 _NUMBERS = {
     "buckling": "static buckling load p̄_cr",
@@ -47,8 +56,19 @@ def _shown(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+def page_address(given: object) -> str:
+    """Return the page's own address as the browser gave it, or nothing where it is none."""
+    plain = r"https?://(?:[\w.-]{1,253}|\[[\da-fA-F:]{2,45}\])(?::\d{1,5})?(?:/[\w./~%-]{0,300})?"
+    return given if isinstance(given, str) and re.fullmatch(plain, given, re.ASCII) else ""
+
+
 def report_html(
-    state: State, numbers: Mapping[str, Any], words: str, pictures: Mapping[str, str], query: str
+    state: State,
+    numbers: Mapping[str, Any],
+    words: Sequence[str],
+    pictures: Mapping[str, str],
+    query: str,
+    address: str = "",
 ) -> str:
     """Return the report.
 
@@ -57,12 +77,14 @@ def report_html(
     state : State
     numbers : mapping
         Key numbers of the view.
-    words : str
-        The verdict.
+    words : sequence of str
+        The verdict, and what else is said, a paragraph each.
     pictures : mapping of str to str
         SVG documents by title, the first one wide.
     query : str
         The view's address query.
+    address : str
+        The page's address without a query, from `page_address`.
     """
     settings = [
         (_label(name), _shown(value))
@@ -95,20 +117,24 @@ def report_html(
         if si
         else "Non-dimensional"
     )
+    half_way = -(-len(settings) // 2)
+    view = escape(f"{address}?{query}")
+    if address:
+        view = f'<a href="{view}">{view}</a>'
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head><meta charset="utf-8"><title>rotorstab report</title><style>{_STYLE}</style></head>
 <body>
 <h1>Parametric instability of a shaft–disk rotor</h1>
-<p>{escape(words)}</p>
+{"".join(f"<p>{escape(one)}</p>" for one in words)}
 <div class="wide">{drawn[0]}</div>
 <div class="two">{half}</div>
-<div class="two">
-<div><h2>Parameters</h2>{_table(settings)}</div>
-<div><h2>Key numbers</h2>{_table(keys)}</div>
+<div class="three">
+<h2 class="across">Parameters</h2><h2>Key numbers</h2>
+{_table(settings[:half_way])}{_table(settings[half_way:])}{_table(keys)}
 </div>
 <footer>{units}: length L, bending stiffness EI and line mass ρA are 1. Floquet decides
 what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
-?{escape(query)}</footer>
+{view}</footer>
 </body></html>
 """

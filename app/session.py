@@ -16,18 +16,17 @@ import panel as pn
 from rotorstab.charts import chart_figure
 from rotorstab.figures import FIGURES
 
-from .analysis import paper_figure, solve
+from .analysis import CHARTS, paper_figure, solve
 from .controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import FORMATS, MIME, gather, printer
-from .report import report_html
+from .report import page_address, report_html
 from .settling import Settling
 from .share import describe_problems, from_arguments, pins_from_arguments, to_query
 from .snippet import python_snippet
 from .state import State
-from .units import displayed, named_inputs, shown_scales
-from .verdict import verdict
+from .units import named_inputs
 
 __all__ = ["Session"]
 
@@ -110,7 +109,7 @@ class Session:
         elif kind == "python":
             reply = self.python()
         elif kind == "report":
-            reply = self.report()
+            reply = self.report(message)
         else:
             takers = (page for page in self.pages.values() if kind in page.takes)
             reply = next(takers, self.pages[self.active]).handle(message, self.state)
@@ -174,21 +173,31 @@ class Session:
         except ValueError as error:
             return Reply({"told": str(error)})
 
-    def report(self) -> Reply:
-        """Start making the one-page report of the Explore view."""
+    def report(self, message: Mapping[str, Any]) -> Reply:
+        """Start making the one-page report of the Explore view, with its marker and pins."""
+        explore = self.pages[PAGES[0].key]
         try:
             result = solve(self.state)
-            charts = displayed(result.charts, self.state, result.numbers)
+            drawn = explore.compute(self.state)
+            said = explore.answer(self.state)
         except ValueError as error:
             return Reply({"told": str(error)})
         inputs = self.state.inputs()
+        stamp = explore.stamp()
         pictures = {
-            chart.title: printer.file(
-                (key, *inputs.values()), chart_figure(chart, named_inputs(inputs)), "svg"
+            drawn[key].title: printer.file(
+                (key, *inputs.values(), *stamp),
+                chart_figure(drawn[key], named_inputs(inputs)),
+                "svg",
             )
-            for key, chart in charts.items()
+            for key in CHARTS
         }
-        words = verdict(result.floquet, shown_scales(self.state))
+        words = [said["verdict"]]
+        if said["inspector"]:
+            words.append(f"The marked point: {said['inspector']['sentence']}")
+        if said["pins"]:
+            names = ", ".join(one["name"] for one in said["pins"]["names"])
+            words.append(f"Thin lines are pinned curves of earlier settings: {names}.")
         # the state of now, not of when the pictures are ready
         page = partial(
             report_html,
@@ -196,6 +205,7 @@ class Session:
             result.numbers,
             words,
             query=self.query(),
+            address=page_address(message.get("at")),
         )
         name = "rotorstab-report.html"
 

@@ -205,7 +205,7 @@ def test_the_report_in_si_holds_the_verdict_in_si(result):
     state.apply_preset("Table 1, 1000 rpm")
     state.change({"units": "SI"})
     words = verdict(result.floquet, SCALES)
-    page = report_html(state, result.numbers, words, {"a": "<svg></svg>"}, "v=1")
+    page = report_html(state, result.numbers, [words], {"a": "<svg></svg>"}, "v=1")
     assert words in page
     buckling = result.numbers["buckling"] * SCALES.load
     assert f"{buckling:.6g}" in page

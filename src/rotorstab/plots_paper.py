@@ -315,11 +315,23 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
     return files
 
 
-def _kinds(figure: Figure) -> list[tuple[str, float]]:
-    """Return the legend's entries of filled areas with their opacity, where there are two."""
-    if not figure.has_floquet or not any(panel.regions for panel in figure.panels):
+def _kinds(figure: Figure) -> list[tuple[str, str, float]]:
+    """Return name, colour and opacity of the legend's filled areas, where there are two kinds.
+
+    Areas of one colour have it in the legend; those of several, told apart by lines, are grey.
+    """
+    regions = [region for panel in figure.panels for region in panel.regions]
+    if not figure.has_floquet or not regions:
         return []
-    return [(_BOLOTIN, 0.14), (_FLOQUET, 0.5)]
+    unstable = [region for panel in figure.panels for region in panel.unstable]
+    found = []
+    for name, areas, opacity, grey in (
+        (_BOLOTIN, regions, 0.09, 0.14),
+        (_FLOQUET, unstable, _FILL, 0.5),
+    ):
+        colors = {_color(region) for region in areas}
+        found.append((name, *((colors.pop(), opacity) if len(colors) == 1 else ("#444444", grey))))
+    return found
 
 
 def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
@@ -360,8 +372,8 @@ def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
         for line in groups.values()
     ]
     names = [_mathtext(group) for group in groups]
-    for name, alpha in _kinds(figure):
-        handles.append(Patch(facecolor="#444444", alpha=alpha, edgecolor="none"))
+    for name, color, alpha in _kinds(figure):
+        handles.append(Patch(facecolor=color, alpha=alpha, edgecolor="none"))
         names.append(name)
     drawn.legend(
         handles=handles,
