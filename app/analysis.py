@@ -84,6 +84,8 @@ class FloquetAnswer:
         Shares of the computed part of the chart, NaN where nothing is.
     unstable_from : float
         Lowest β_d of an unstable pixel, inf where there is none.
+    settled : bool
+        False for a coarse map, on which thin tongues have no true area.
     followed_from : float
         θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
     """
@@ -96,6 +98,7 @@ class FloquetAnswer:
     bolotin_share: float
     both_share: float
     unstable_from: float = math.inf
+    settled: bool = True
     followed_from: float = 0.0
 
 
@@ -282,6 +285,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             fundamental_frequency=frequency,
             reference_load=reference,
             **_shares(growth, mask, reference),
+            settled=settled,
             followed_from=_followed_from(growth, frequency),
         ),
     )

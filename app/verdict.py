@@ -83,6 +83,8 @@ def _comparison(answer: FloquetAnswer) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     if math.isnan(true):
         return ""
+    if not answer.settled:
+        return " Shares of the window follow once the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
     if answer.table.mean_growth > _GROWS:
         if true == 1:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import rotorstab as rs
 from app.analysis import solve
 from app.inspector import inspect
 from app.state import State
@@ -97,3 +98,26 @@ def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
     sentence = inspect(state, result).sentence
     assert "grows by itself" in sentence
     assert "misses" not in sentence
+
+
+def test_a_coarse_map_is_no_measure_of_bolotin():
+    # at rest, follower load: its pixels miss the thin tongues, and Bolotin seemed 750 % too large
+    values = {"spin_speed": 0.0, "load_type": "follower"}
+    words = [verdict(solved(values, settled)[1].floquet) for settled in (False, True)]
+    assert not [one for one in words if "overstating" in one]
+    assert "follow once the sliders rest" in words[0]
+    assert "Of this window" in words[1]
+
+
+def test_what_the_captions_say_of_buckling_and_of_the_resting_rotor():
+    spinning = rs.lumped(rs.BASE_CASE, 2.0)
+    loads = np.array([2.3, 2.4, 3.3, 3.4])
+    whirl = rs.load_frequency_curves(spinning, loads)
+    backward = whirl.frequencies[:, whirl.names.index("1B")]
+    assert (np.sign(backward.real[:3]) == [-1, 1, 1]).all()
+    assert (np.abs(whirl.frequencies.imag).max(axis=1) > 1e-6).tolist() == [False] * 3 + [True]
+    resting = rs.whirl_frequencies(rs.lumped(rs.BASE_CASE, 0.0), loads[:2])
+    assert (np.abs(resting.imag).max(axis=1) > 1e-6).tolist() == [False, True]
+    answer = solved({"spin_speed": 0.0})[1].floquet
+    assert answer.both_share > 0.9 * answer.bolotin_share  # the bands hold
+    assert answer.both_share < 0.8 * answer.unstable_share  # and are not all
