@@ -15,7 +15,7 @@ from app.live import LiveChart
 from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped, plots
 from rotorstab.charts import ROLES
-from rotorstab.charts.structure import Lines, symmetric
+from rotorstab.charts.structure import Chart, Layer, Lines, symmetric
 
 ASSETS = Path(__file__).parents[1] / "app" / "assets"
 KINDS = {"regions", "lines", "points", "labels", "map"}
@@ -214,3 +214,15 @@ def test_the_legend_of_the_map_shows_the_colours_of_the_map():
     over, under = (f"{colour}66" for colour in plots._DISAGREEMENT_COLOURS)  # 0x66 is 40 %
     assert f".swatch.over {{ background: {over}; }}" in css
     assert f'[data-show_growth="false"] .swatch.under {{ background: {under}; }}' in css
+
+
+def test_ticks_of_a_large_orbit_are_few_and_short():
+    circle = np.exp(1j * np.linspace(0, 7, 50)) * 8e7
+    lines = Lines()
+    lines.add(circle.real, circle.imag, "path", "orbit")
+    reach = (-1e8, 1e8)
+    layers = (Layer("lines", "orbit", lines.columns),)
+    chart = Chart("orbit", "", "V", "W", reach, reach, layers, square=True)
+    for axis in hv.render(plots.element(chart), backend="bokeh").axis:
+        assert axis.ticker.desired_num_ticks <= 4
+        assert "toExponential" in axis.formatter.code

@@ -11,7 +11,7 @@ from typing import Any
 
 import holoviews as hv
 import numpy as np
-from bokeh.models import CustomJSHover, HoverTool
+from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
 from bokeh.palettes import Plasma256
 
 from .charts import ROLES, Chart, Layer, axis_symbol
@@ -160,6 +160,13 @@ def _finish(plot: Any, _: Any) -> None:
         )
 
 
+_SHORT_TICKS = """
+const value = Number(tick.toPrecision(4)), size = Math.abs(value)
+const far = size >= 1e4 || (size > 0 && size < 1e-3)
+return (far ? value.toExponential().replace("e+", "e") : String(value)).replaceAll("-", "−")
+"""
+
+
 def _make_square(plot: Any, _: Any) -> None:
     """Give the frame borders of one size, so that a square place makes equal scales."""
     # no toolbar: it would take its height from the frame
@@ -170,6 +177,10 @@ def _make_square(plot: Any, _: Any) -> None:
         min_border_top=14,
         min_border_bottom=64,
     )
+    for axis in plot.state.axis:
+        # few and short, so that they stay apart at any size of the motion
+        axis.ticker.desired_num_ticks = 4
+        axis.formatter = CustomJSTickFormatter(code=_SHORT_TICKS)
 
 
 def _bare_colours(plot: Any, _: Any) -> None:
