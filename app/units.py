@@ -60,7 +60,11 @@ def key_numbers(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _quantity(value: float, unit: str) -> str:
-    return f"{value:.4g} {unit}".replace("-", "−").replace("e+0", "e")
+    # no exponent where plain digits say as much: 1532 N, 15320 N
+    text = (
+        f"{value:.4g}" if abs(value) < 1000 or abs(value) >= 1e7 else f"{float(f'{value:.4g}'):.0f}"
+    )
+    return f"{text} {unit}".replace("-", "−").replace("e+0", "e")
 
 
 def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:

@@ -399,6 +399,16 @@ def test_a_kept_lesson_leaves_the_sliders(session):
     assert answer["values"]["disk_mass"] == 9.0
 
 
+def test_the_end_of_a_lesson_brings_back_what_was_set_before_it(session):
+    session.respond({"type": "change", "values": {"spin_speed": 1.7, "show_bolotin": True}})
+    before = session.state.inputs()
+    for step in (0, 1):
+        session.respond({"type": "lesson", "lesson": "01-parametric-resonance", "step": step})
+    assert session.state.inputs() != before
+    session.respond({"type": "lesson-end"})
+    assert session.state.inputs() == before
+
+
 def test_an_unknown_lesson_is_told(session):
     for key in ("none", "../x", 5, "", None, True, "x" * 10_000):
         answer = session.respond({"type": "lesson", "lesson": key, "step": 0})

@@ -82,7 +82,10 @@ window.rotorstab.inspector = (() => {
   function showPins(pins) {
     const card = one(".card.pins");
     card.hidden = !pins;
-    one(".pin-add").disabled = Boolean(pins && pins.full);
+    const full = Boolean(pins && pins.full);
+    const why = full ? "All places are taken: remove a pin first." : "";
+    Object.assign(one(".pin-add"), { disabled: full, title: why });
+    one("[data-pin-full]").textContent = why;
     if (!pins) return;
     const key = JSON.stringify(pins.names);
     const list = card.querySelector("[data-pins]");
@@ -133,6 +136,14 @@ window.rotorstab.inspector = (() => {
     });
   }, { once: true });
 
+  // as the sidebar's hints: beside each box in SI
+  function si({ factors }) {
+    const [x, y] = factors.instability;
+    for (const [name, by, unit] of [["marker_frequency", x, "Hz"], ["marker_factor", y, "N"]]) {
+      one(`[data-marker-si="${name}"]`).textContent = `= ${Number((values[name] * by).toPrecision(4))} ${unit}`;
+    }
+  }
+
   return {
     tap: (x, y) => place(...page.units.plain("instability", x, y)),
     answer(data) {
@@ -148,6 +159,7 @@ window.rotorstab.inspector = (() => {
         keys.textContent = values.marker ? "Move with arrow keys" : "Place the marker";
         keys.setAttribute("aria-pressed", String(values.marker));
       }
+      if (data.si) si(data.si);
       if (data.pins !== undefined) showPins(data.pins);
       if (data.inspector === undefined) return;
       const card = one(".card.inspector");

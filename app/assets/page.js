@@ -182,6 +182,11 @@ window.rotorstab = (() => {
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));
     for (const name of ["show_growth", "show_bolotin", "show_disagreement"]) root.dataset[name] = String(data.values[name]);
+    // the verdict speaks of them all the same
+    const off = [["show_growth", "The map of growth is"], ["show_bolotin", "Bolotin regions are"]].filter(([name]) => !data.values[name]);
+    const layers = document.querySelector("[data-hidden-layers]");
+    layers.hidden = !off.length;
+    layers.textContent = off.map(([, words]) => `${words} hidden: switch on under Charts.`).join(" ");
     const unit = document.querySelector("[data-growth-unit]");
     const si = data.values.units === "SI";
     unit.textContent = data.values.growth_unit === "per period" ? (si ? "σT" : "σ̄T") : (si ? "σ [1/s]" : "σ̄");

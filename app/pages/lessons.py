@@ -104,6 +104,7 @@ class Lessons(Page):
     def __init__(self) -> None:
         super().__init__()
         self._running: tuple[Lesson, int] | None = None
+        self._before: dict[str, Any] = {}  # the inputs that a lesson's end brings back
 
     def compute(self, state: State, settled: bool = True) -> dict[str, Any]:
         """Return no charts of its own."""
@@ -121,6 +122,8 @@ class Lessons(Page):
             return self._begin(message, state)
         if kind == "lesson-end":
             self._running = None
+            state.change(self._before)
+            self._before = {}
         elif step is None:
             return Reply()
         elif kind == "lesson-set":
@@ -136,6 +139,8 @@ class Lessons(Page):
         lesson = library().lessons.get(key) if isinstance(key, str) else None
         if lesson is None:
             return Reply({"lesson": None, "told": "There is no such lesson on this server."})
+        if self._running is None and not message.get("keep"):
+            self._before = state.inputs()
         last = len(lesson.steps) - 1
         asked = int(index) if isinstance(index, int) and index >= 0 else 0
         self._running = lesson, min(asked, last)
