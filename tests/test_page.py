@@ -100,12 +100,23 @@ def settle(page, name=None, value=None):
     return page.evaluate("rotorstab.last.values")
 
 
+def same(found, wanted):
+    """Whether two columns agree; the server's BLAS may round in another order than the test's."""
+    if isinstance(wanted, dict):
+        return found.keys() == wanted.keys() and all(same(found[k], wanted[k]) for k in wanted)
+    if isinstance(wanted, list):
+        return len(found) == len(wanted) and all(map(same, found, wanted))
+    if isinstance(wanted, float):
+        return found is not None and math.isclose(found, wanted, rel_tol=1e-6, abs_tol=1e-9)
+    return found == wanted
+
+
 def agrees(page):
     """Wait for the full picture and compare every chart with the solver; return the values."""
     values = settle(page)
     got, wanted = shown(page), expected(values)
     for key in CHARTS:
-        assert got[key] == wanted[key], key
+        assert same(got[key], wanted[key]), key  # a diff of so many numbers takes an hour
     return values
 
 
