@@ -16,8 +16,9 @@ log = logging.getLogger("rotorstab.limits")
 RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
 PATIENCE = 15.0  # s above the rate, then the socket is closed
 # Seconds of the server's one thread, while others are active: a sender who keeps on asking for the
-# dearest picture leaves it to the rest of the class. Dragging for half a minute costs some 10.
-SHARE, CREDIT = 0.05, 10.0
+# dearest picture leaves it to the rest of the class. Half a minute of dragging costs some 10, and
+# who drags half of the time never runs out.
+SHARE, CREDIT = 0.25, 10.0
 ACTIVE = 2.0  # s since the last message
 LONGEST_TURN = 2.0  # s to wait between two messages
 REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
