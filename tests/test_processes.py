@@ -10,6 +10,7 @@ import time
 import pytest
 
 from app.processes import Background
+from tests.serving import run
 
 SERVER = """
 import os, sys
@@ -32,7 +33,7 @@ def test_equal_work_is_done_once_in_a_process_that_gives_way(background):
         tasks = [background.request(os.getpid) for _ in range(3)]
         return {id(task) for task in tasks}, await tasks[0], await background.request(os.nice, 0)
 
-    tasks, process, niceness = asyncio.run(ask())
+    tasks, process, niceness = run(ask())
     assert len(tasks) == 1
     assert process != os.getpid()
     assert niceness == min(19, os.nice(0) + 3)
@@ -49,7 +50,7 @@ def test_work_that_nobody_waits_for_is_dropped(background):
         await running
         return await asyncio.gather(dropped, kept, again, return_exceptions=True)
 
-    dropped, kept, again = asyncio.run(ask())
+    dropped, kept, again = run(ask())
     assert isinstance(dropped, asyncio.CancelledError)
     assert isinstance(kept, int)
     assert again == os.getcwd()
@@ -61,7 +62,7 @@ def test_a_killed_process_is_replaced(background):
         os.kill(process, signal.SIGKILL)
         return process, await background.request(os.getpid)
 
-    first, second = asyncio.run(ask())
+    first, second = run(ask())
     assert first != second
 
 
@@ -71,7 +72,7 @@ def test_an_error_of_the_work_is_its_tasks(background):
             await background.request(os.stat, "/nowhere/at/all")
         return await background.request(os.getpid)
 
-    assert asyncio.run(ask()) > 0
+    assert run(ask()) > 0
 
 
 def test_a_process_ends_with_a_server_that_is_killed(tmp_path):

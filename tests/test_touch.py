@@ -22,6 +22,8 @@ CHART = """(key) => {
 def phone(open_page):
     """The page at 390 px with touch."""
     page = open_page(390, 844, **PHONE)
+    # the full picture's sentence is longer, and what stands below it moves
+    page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
     page.wait_for_timeout(800)  # charts settle into their places and colours
     page.touches = page.context.new_cdp_session(page)
     return page

@@ -37,7 +37,7 @@ export function render({ model, el }) {
 
   function change(name, value) {
     state.pending[name] = value;
-    flush();
+    queueMicrotask(flush); // what one event sets leaves together: a marker is placed in one step
     rest();
   }
 
@@ -109,6 +109,14 @@ export function render({ model, el }) {
       fill(value);
       say("");
       change(field.name, value);
+    });
+    // a finger that starts on a slider and scrolls moved it by its touch: put it back
+    let touched = null;
+    slider.addEventListener("pointerdown", (event) => { touched = event.pointerType === "touch" ? slider.value : null; });
+    slider.addEventListener("pointercancel", () => {
+      if (touched === null) return;
+      slider.value = touched;
+      slider.dispatchEvent(new Event("input"));
     });
     slider.addEventListener("keydown", (event) => {
       const page = { PageUp: 10, PageDown: -10, ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
