@@ -7,20 +7,19 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from .server.constants import HEADERS, RESTART_SECONDS, RETRY_SECONDS
-from .server.pages import error_page
+from .server.constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS
+from .server.pages import error_page, retry_seconds
 from .server.settings import Settings
 
 TEMPLATE = "nginx.conf.j2"
 CONNECTIONS = 20  # of a page: six of the browser, the socket, and others that only wait
 MOST_CONNECTIONS = 16_000
-PAGES = {
-    # name: status, whether the server restarts, Retry-After
-    "404": (404, False, None),
-    "414": (414, False, None),
-    "full": (503, False, RETRY_SECONDS),
-    "restarts": (503, True, RESTART_SECONDS),
+OWN = (400, 403, 404, 405, 408, 413, 414, 421, 429, 431, 500, 501, 505)
+PAGES = {str(status): (status, False) for status in OWN} | {
+    "full": (503, False),
+    "restarts": (503, True),
 }
+"""Name: status, and whether the server restarts."""
 
 
 def find_nginx() -> str | None:
@@ -54,17 +53,20 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         key=settings.tls_key,
         keep_alive=settings.keep_alive,
         log_level=settings.log_level,
-        pages={name: wait for name, (_, _, wait) in PAGES.items()},
+        pages={name: retry_seconds(*page) for name, page in PAGES.items()},
         headers=HEADERS,
+        hsts=settings.hsts,
+        longest_address=LONGEST_ADDRESS,
+        header_buffer=HEADER_BUFFER,
     )
 
 
 def write(settings: Settings, workers: Sequence[str], folder: Path) -> Path:
     """Write the configuration and the pages that nginx shows by itself; return the former."""
-    (folder / "pages").mkdir(exist_ok=True)
-    for name, (status, restarting, _) in PAGES.items():
-        page = error_page(status, restarting)
-        (folder / "pages" / f"_{name}.html").write_text(page, encoding="utf-8")
+    (folder / "_errors").mkdir(exist_ok=True)
+    for name, page_of in PAGES.items():
+        page = error_page(*page_of)
+        (folder / "_errors" / f"{name}.html").write_text(page, encoding="utf-8")
     path = folder / "nginx.conf"
     path.write_text(render(settings, workers, folder), encoding="utf-8")
     return path

@@ -9,6 +9,8 @@ import time
 import pytest
 
 from deploy.server import limits
+from deploy.server.constants import LONGEST_ADDRESS
+from deploy.server.hosts import shortened
 from deploy.server.limits import Bucket
 from tests.serving import Server, run
 from tests.wire import changed, custom, opened
@@ -315,7 +317,7 @@ def test_an_app_that_exits_answers_500(server):
         ("/static/../../etc/passwd", 403),
         ("/static/..%2f..%2fetc%2fpasswd", 403),
         ("/" + "a" * 9000, 414),
-        ("/tiny?" + "a" * 255_000, 414),
+        ("/tiny?" + "a" * LONGEST_ADDRESS, 414),
     ],
 )
 def test_what_is_not_there(server, path, status):
@@ -362,6 +364,21 @@ def test_an_address_of_100_kB_gets_the_page(server):
     assert status == 200
     assert '"token":"' in page
     assert len(page) < 100_000
+
+
+@pytest.mark.parametrize(
+    ("query", "kept"),
+    [
+        ("a=1&b=2", "a=1&b=2"),
+        ("spin=1&x=" + "9" * 90_000 + "&b=2", "spin=1&x=90000+characters&b=2"),
+        ("x" * 90_000 + "&b=2", "x" * 20 + "&b=2"),
+        ("p1=" + "~" * 3000, "p1=" + "~" * 3000),
+        ("a=1&" * 25_000, "a=1&" * 2000 + "92+kB+of+text="),
+        ("&" * 100_000, "&" * 4000 + "96+kB+of+text="),
+    ],
+)
+def test_a_long_query_keeps_what_is_good_and_names_the_rest(query, kept):
+    assert shortened(query) == kept
 
 
 # Clients that are slow or silent.

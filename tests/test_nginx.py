@@ -11,6 +11,7 @@ import re
 import shutil
 import signal
 import socket
+import ssl
 import subprocess
 import sys
 import tempfile
@@ -26,11 +27,14 @@ from tornado.websocket import websocket_connect
 
 from deploy import lab as lab_module
 from deploy.nginx import command, find_nginx, write
+from deploy.server.constants import HEADERS, LONGEST_ADDRESS
 from deploy.server.settings import read
+from tests.conftest import opened
 from tests.serving import START, Server, ended, free_port, run
 
 APP = 'import panel as pn\npn.pane.Markdown("throw-away").servable()\n'
 LAB = START.with_name("lab.py")
+APP_FOLDER = START.parents[1] / "app"
 PLACES = 14  # of a worker
 PAGES = 22
 PATIENCE = 60  # s; nothing is measured by it
@@ -60,9 +64,10 @@ def http_free(port):
 class Lab(Server):
     """nginx and two workers of a throw-away app."""
 
-    def __init__(self, folder, **environment):
-        app = folder / "app.py"
-        app.write_text(APP)
+    def __init__(self, folder, app=None, **environment):
+        if app is None:
+            app = folder / "app.py"
+            app.write_text(APP)
         self.ports = worker_ports()
         # nginx of root reads it as another user, who may not look into pytest's folders
         self.temporary = Path(tempfile.mkdtemp(prefix="rotorstab test "))
@@ -214,15 +219,102 @@ def test_only_the_page_its_socket_and_its_files_are_reached(lab):
         "/static//../metrics",
         "/admin",
         "/app/",
-        "/_full.html",
+        "/_errors/full.html",
     ):
         status, headers, page = lab.get(path)
         assert (path, status) == (path, 404)
         assert headers["X-Frame-Options"] == "DENY"
         assert headers["Content-Security-Policy"]
         assert "nginx" not in page
-    assert lab.get("/app", method="POST")[0] == 405
-    assert lab.get("/app?x=" + "1" * 100_000)[0] == 414
+
+
+def test_an_address_of_100_kB_gets_the_page_and_a_longer_one_words(lab):
+    status, headers, page = lab.get("/app?x=" + "1" * 100_000)
+    assert status == 200
+    cookie = headers["Set-Cookie"].partition(";")[0]
+    token = re.search(r'"token":"([^"]+)"', page)[1]
+    assert len(token) < 8_000  # a header of the socket's request
+
+    async def attempt():
+        await shut(await lab.connect(cookie, token))
+
+    run(attempt())
+    most = LONGEST_ADDRESS - len("/app?x=")
+    assert lab.get("/app?x=" + "1" * most)[0] == 200
+    for more in (1, 10_000, 300_000):  # the worker's answer, and nginx's own
+        status, headers, page = lab.get("/app?x=" + "1" * (most + more))
+        assert status == 414
+        assert '<a href="/app">' in page
+        assert str(LONGEST_ADDRESS) in page
+        assert headers["Content-Security-Policy"]
+
+
+LINE = b"GET /app HTTP/1.1\r\nHost: localhost\r\n"
+
+
+@pytest.mark.parametrize(
+    ("request_", "status"),
+    [
+        (b"GET /app%zz HTTP/1.1\r\n\r\n", 400),
+        (b"nonsense\r\n\r\n", 400),
+        (b"GET /app HTTP/1.1\r\n\r\n", 400),  # no host
+        (LINE + b"Host: localhost\r\n\r\n", 400),
+        (b"GET /\0 HTTP/1.1\r\nHost: localhost\r\n\r\n", 400),
+        (b"GET /a HTTP/1.1\r\nHost: localhost\r\n\r\n", 404),
+        (b"POST /app HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n", 405),
+        (LINE + b"Content-Length: 99999\r\n\r\n", 413),
+        (b"GET /" + b"a" * 140_000 + b" HTTP/1.1\r\nHost: localhost\r\n\r\n", 414),
+        (LINE + b"Cookie: " + b"a" * 140_000 + b"\r\n\r\n", 431),
+        (LINE + b"Transfer-Encoding: rot13\r\n\r\n", 501),
+        (b"GET /app HTTP/7.1\r\nHost: localhost\r\n\r\n", 505),
+    ],
+)
+def test_what_nginx_answers_by_itself_is_our_page(lab, request_, status):
+    """Also where a request is so broken that it belongs to no server yet."""
+    with socket.create_connection(("127.0.0.1", lab.port), timeout=PATIENCE) as client:
+        client.sendall(request_)
+        reply = http.client.HTTPResponse(client)
+        reply.begin()
+        page = reply.read().decode()
+    assert reply.status == status
+    assert page.startswith("<!doctype html>")
+    assert "rotorstab" in page
+    assert "nginx" not in page
+    assert re.fullmatch("nginx|", reply.headers.get("Server", ""))  # no version
+    for name in HEADERS:
+        assert reply.headers[name]
+    assert reply.headers["Cache-Control"] == "no-store"
+
+
+def test_the_redirect_has_the_headers_too_and_keeps_the_query(lab):
+    status, headers, _ = lab.get("/?spin=1")
+    assert status == 302
+    assert headers["Location"] == "/app?spin=1"
+    assert headers["X-Frame-Options"] == "DENY"
+    assert headers["Strict-Transport-Security"] is None
+
+
+@pytest.mark.browser
+def test_a_browser_opens_an_address_of_100_kB(browser, tmp_path):
+    """The real page: it names what it ignores, keeps what is good, and can be used."""
+    lab = Lab(tmp_path, app=APP_FOLDER)
+    try:
+        lab.wait()
+        path = f"/app?v=1&spin=1.5&as={'9' * 50_000}&x={'1' * 50_000}&phi=0.03"
+        context, page, watch = opened(browser, lab, path=path)
+        notice = page.evaluate("rotorstab.last.address_notice")
+        assert "as (" in notice
+        assert "x" in notice
+        page.get_by_text(notice).first.wait_for()
+        assert page.evaluate("rotorstab.last.values.spin_speed") == 1.5
+        assert page.evaluate("rotorstab.last.values.shear") == 0.03
+        page.evaluate("rotorstab.change('shear', 0.01)")
+        page.wait_for_function("location.search.includes('phi=0.01')")
+        assert page.evaluate("location.search.length") < 1000
+        context.close()
+        watch.check(lab)
+    finally:
+        lab.stop()
 
 
 def test_a_worker_tells_its_numbers_to_this_machine_only(lab):
@@ -467,7 +559,57 @@ def test_nginx_accepts_its_configuration_with_tls(tmp_path):
     certify(*files.values())
     text = check(tmp_path, files | {"PORT": str(free_port())})
     assert "; Secure" in text
+    assert "Strict-Transport-Security" not in text
+    text = check(tmp_path, files | {"PORT": str(free_port()), "ROTORSTAB_HSTS": "86400"})
+    assert text.count('Strict-Transport-Security "max-age=86400" always;') == 5
     assert "ssl_reject_handshake on" in text
+
+
+def test_tls_tells_browsers_to_stay_with_it_where_that_is_set(tmp_path):
+    with tempfile.TemporaryDirectory(prefix="rotorstab-test-") as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        key, certificate = str(folder / "key.pem"), str(folder / "certificate.pem")
+        certify(key, certificate)
+        port = free_port()
+        settings = read(
+            {
+                "PORT": str(port),
+                "ROTORSTAB_TLS_KEY": key,
+                "ROTORSTAB_TLS_CERTIFICATE": certificate,
+                "ROTORSTAB_HSTS": "86400",
+            }
+        )
+        front = subprocess.Popen(command(find_nginx(), write(settings, [], folder)))
+        trusted = ssl.create_default_context(cafile=certificate)
+        try:
+            for path, status in (("/app", 503), ("/", 302), ("/nothing", 404)):
+                found, headers, _ = eventually(port, path, trusted)
+                assert found == status
+                assert headers["Strict-Transport-Security"] == "max-age=86400"
+            status, headers, page = eventually(port, "/app", None)  # http:// to this port
+            assert status == 400
+            assert "https://" in page
+        finally:
+            front.terminate()
+            front.wait(PATIENCE)
+
+
+def eventually(port, path, trusted):
+    """The answer of a server that may still be starting."""
+    deadline = time.monotonic() + PATIENCE
+    while True:
+        more = {} if trusted is None else {"context": trusted}
+        kind = http.client.HTTPConnection if trusted is None else http.client.HTTPSConnection
+        connection = kind("localhost", port, timeout=10, **more)
+        with contextlib.closing(connection):
+            try:
+                connection.request("GET", path)
+                reply = connection.getresponse()
+                return reply.status, reply.headers, reply.read().decode()
+            except ConnectionRefusedError:
+                assert time.monotonic() < deadline
+                time.sleep(0.1)
 
 
 def check(folder, environment):

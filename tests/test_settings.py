@@ -101,6 +101,9 @@ def test_tls_needs_both_files(tmp_path):
     certificate.write_text("")
     with pytest.raises(SettingError, match="set together"):
         read({"ROTORSTAB_TLS_CERTIFICATE": str(certificate)})
+    # a promise of TLS that this server would not keep
+    with pytest.raises(SettingError, match="ROTORSTAB_TLS_CERTIFICATE, which is not set"):
+        read({"ROTORSTAB_HSTS": "86400"})
 
 
 def test_a_secret_is_made_once_for_its_owner_only(tmp_path):

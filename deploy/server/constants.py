@@ -2,6 +2,10 @@
 
 RETRY_SECONDS = 30  # for whom there is no place
 RESTART_SECONDS = 5  # while a server ends or starts
+BUSY_SECONDS = 5  # for whom asks too often
+
+LONGEST_ADDRESS = 128_000  # characters; 414 above, through nginx as on a worker's own port
+HEADER_BUFFER = 131_072  # bytes; an address of that length in its request line
 
 HEADERS = {
     # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript

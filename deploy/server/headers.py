@@ -5,8 +5,8 @@ import functools
 from bokeh.server.connection import ServerConnection
 from tornado.web import RequestHandler
 
-from .constants import HEADERS, RESTART_SECONDS, RETRY_SECONDS
-from .pages import error_page
+from .constants import HEADERS
+from .pages import error_page, retry_seconds
 from .sessions import draining
 
 tornado_clear = RequestHandler.clear
@@ -24,8 +24,7 @@ def clear(self):
 
 def write_error(self, status_code, **kwargs):
     """Finish with a short page whatever `serve_traceback` says; the log has the rest."""
-    if status_code == 503:
-        wait = RESTART_SECONDS if draining.is_set() else RETRY_SECONDS
+    if wait := retry_seconds(status_code, draining.is_set()):
         self.set_header("Retry-After", str(wait))
     self.set_header("Content-Type", "text/html; charset=UTF-8")
     self.set_header("Cache-Control", "no-store")

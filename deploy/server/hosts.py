@@ -5,12 +5,16 @@ import logging
 from urllib.parse import urlsplit
 
 from bokeh.server.util import check_allowlist
+from tornado.escape import parse_qs_bytes
 from tornado.web import Application, RequestHandler
+
+from .constants import LONGEST_ADDRESS
 
 log = logging.getLogger("rotorstab.hosts")
 
-LONGEST_ADDRESS = 8_000  # characters; the token of a page carries its query in a header
-LONGEST_CUT = 250_000  # up to here the page is served without its query
+LONGEST_KEPT = 8_000  # characters of an address; a page's token carries its query in a header
+LONGEST_VALUE = 3_000  # characters of one value, %-escapes counted; no honest one has as many
+LONGEST_NAME = 20  # characters of a key that are told
 LOOPBACK = ("localhost", "127.0.0.1", "::1")  # no other site can take these names
 FOR_MACHINES = ("/health", "/metrics")  # asked by whatever name a probe uses
 
@@ -38,16 +42,36 @@ def is_known_host(host, known):
         return False
 
 
+def shortened(query, room=LONGEST_KEPT):
+    """A query with no value that is too long, as far as there is room; the rest is counted.
+
+    What is left out stays as a key, or a value in words: the page names it among what it ignored.
+    """
+    kept = []
+    left = len(query)
+    for part in query.split("&"):
+        key, equals, value = part.partition("=")
+        if len(key) > LONGEST_VALUE:
+            key = key[:LONGEST_NAME]
+        if len(value) > LONGEST_VALUE:
+            value = f"{len(value)}+characters"
+        room -= len(key) + len(value) + 2
+        if room < 0:
+            return "&".join([*kept, f"{max(1, left // 1000)}+kB+of+text="])
+        kept.append(key + equals + value)
+        left -= len(part) + 1
+    return "&".join(kept)
+
+
 def cut(request):
-    """Drop a query that is too long, and leave one argument that says so."""
-    length = len(request.uri)
-    request.query = ""
-    request.uri = request.path
+    """Shorten a request's query."""
+    log.info("shortened an address of %d characters", len(request.uri))
+    request.query = shortened(request.query)
+    request.uri = f"{request.path}?{request.query}"
+    found = parse_qs_bytes(request.query, keep_blank_values=True)
     for arguments in (request.arguments, request.query_arguments):
         arguments.clear()
-        # shown by the page among what it ignored
-        arguments[f"{length // 1000} kB of text"] = [b""]
-    log.info("dropped a query of %d characters", length)
+        arguments.update({key: list(values) for key, values in found.items()})
 
 
 @functools.wraps(find_handler)
@@ -61,9 +85,9 @@ def find_known(self, request, **kwargs):
     ):
         log.warning("refused a request to the host %.100r", request.host)
         return self.get_handler_delegate(request, Refused, {"status": 421})
-    if len(request.uri) > LONGEST_CUT or len(request.path) > LONGEST_ADDRESS:
+    if len(request.uri) > LONGEST_ADDRESS or len(request.path) > LONGEST_KEPT:
         return self.get_handler_delegate(request, Refused, {"status": 414})
-    if len(request.uri) > LONGEST_ADDRESS:
+    if len(request.uri) > LONGEST_KEPT:
         cut(request)
     return find_handler(self, request, **kwargs)
 

@@ -3,7 +3,7 @@
 import html
 from http import HTTPStatus
 
-from .constants import RESTART_SECONDS, RETRY_SECONDS
+from .constants import BUSY_SECONDS, LONGEST_ADDRESS, RESTART_SECONDS, RETRY_SECONDS
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1c2430; --quiet: #5b6675; --paper: #f6f7f9;
@@ -20,11 +20,17 @@ a { color: var(--link) }
 """
 
 WORDS = {
+    400: ("This request cannot be read", ("The address may have to begin with https://.",)),
     403: ("This is not allowed here", ("The server did not accept this request.",)),
     404: ("There is no such page", ("The address may be mistyped.",)),
+    405: ("This is not allowed here", ("Pages of this server can only be read.",)),
+    413: ("This is too large", ("Nothing is sent to this address; files are read by the page.",)),
     414: (
         "This address is too long",
-        ("Its parameters cannot be read. The dashboard opens with its own.",),
+        (
+            f"It has more than {LONGEST_ADDRESS} characters, so its parameters cannot be read.",
+            "The dashboard opens with its own.",
+        ),
     ),
     421: (
         "This server does not go by that name",
@@ -32,6 +38,14 @@ WORDS = {
             "Use the address that you were given.",
             "Whoever runs the server can add the name to ROTORSTAB_ORIGINS.",
         ),
+    ),
+    429: (
+        "Too many pages are opened at once",
+        (f"This page tries again by itself every {BUSY_SECONDS} seconds; you need do nothing.",),
+    ),
+    431: (
+        "This request is too large",
+        ("Its headers cannot be read. Remove the cookies of this site, then open it again.",),
     ),
     500: ("Something went wrong", ("The server has noted it. Reload the page to try again.",)),
     503: (
@@ -46,7 +60,13 @@ RESTARTS = (
     "The server restarts",
     (f"This page tries again by itself every {RESTART_SECONDS} seconds; you need do nothing.",),
 )
-LINKED = (403, 404, 414, 500)
+LINKED = (400, 403, 404, 405, 413, 414, 431, 500)
+WAITS = {429: BUSY_SECONDS, 503: RETRY_SECONDS}  # s until the page tries again, Retry-After too
+
+
+def retry_seconds(status, restarting=False):
+    """Seconds after which a request may be sent again, or None."""
+    return RESTART_SECONDS if restarting and status == 503 else WAITS.get(status)
 
 
 def error_page(status, restarting=False):
@@ -57,9 +77,9 @@ def error_page(status, restarting=False):
         phrase = "Error"
     restarting = restarting and status == 503
     title, words = RESTARTS if restarting else WORDS.get(status, (phrase, ()))
-    wait = RESTART_SECONDS if restarting else RETRY_SECONDS
-    again = f'<meta http-equiv="refresh" content="{wait}">' if status == 503 else ""
-    link = '<p><a href="/">Open the dashboard</a></p>' if status in LINKED else ""
+    wait = retry_seconds(status, restarting)
+    again = f'<meta http-equiv="refresh" content="{wait}">' if wait else ""
+    link = '<p><a href="/app">Open the dashboard</a></p>' if status in LINKED else ""
     text = "".join(f"<p>{html.escape(one)}</p>" for one in words)
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8">{again}'

@@ -165,6 +165,13 @@ class Settings:
         "ROTORSTAB_TLS_CERTIFICATE", "", FILE, "nginx: certificate chain (PEM); turns TLS on"
     )
     tls_key: str = setting("ROTORSTAB_TLS_KEY", "", FILE, "nginx: the certificate's key (PEM)")
+    hsts: int = setting(
+        "ROTORSTAB_HSTS",
+        "0",
+        whole(0, 63_072_000),
+        "nginx with TLS: s for which browsers that came once use nothing but TLS for this name"
+        " (HSTS); 0 sends nothing",
+    )
     upstream: tuple[str, ...] = setting(
         "ROTORSTAB_UPSTREAM",
         "",
@@ -196,6 +203,8 @@ def read(environment: Mapping[str, str] = os.environ) -> Settings:
             raise SettingError(f"{name} must be {kind.allowed}, got {shown}") from None
     if bool(found["tls_certificate"]) != bool(found["tls_key"]):
         raise SettingError("ROTORSTAB_TLS_CERTIFICATE and ROTORSTAB_TLS_KEY are set together")
+    if found["hsts"] and not found["tls_certificate"]:
+        raise SettingError("ROTORSTAB_HSTS is for ROTORSTAB_TLS_CERTIFICATE, which is not set")
     port = found["port"]
     found["origins"] = found["origins"] or (f"localhost:{port}", f"127.0.0.1:{port}")
     return Settings(**found)
