@@ -44,7 +44,7 @@ from rotorstab.stiffness import largest_exact_load
 from rotorstab.whirl import mode_names, named_frequencies
 from rotorstab.window import Model, Window
 
-from .growth import known_map
+from .growth import Detail, known_map
 from .state import State
 
 __all__ = [
@@ -229,7 +229,7 @@ def _window(inputs: Mapping[str, Any]) -> Window:
 
 
 @lru_cache(maxsize=128)
-def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
+def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
     inputs = dict(items)
     model: Model = inputs["model"]
     rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
@@ -285,7 +285,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: bool) -> Result:
             fundamental_frequency=frequency,
             reference_load=reference,
             **_shares(growth, mask, reference),
-            settled=settled,
+            settled=bool(settled),
             followed_from=_followed_from(growth, frequency),
         ),
     )
@@ -324,14 +324,14 @@ def window_of(state: State) -> Window:
     return _window(_drawn(state))
 
 
-def solve(state: State, settled: bool = True) -> Result:
+def solve(state: State, settled: Detail = True) -> Result:
     """Return the charts and key numbers of the state's present inputs.
 
     Parameters
     ----------
     state : State
-    settled : bool
-        False while sliders move: the growth map is coarser.
+    settled : bool or "map"
+        False while sliders move: the growth map is coarser. "map": the full one without edges.
 
     Raises
     ------

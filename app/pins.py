@@ -13,7 +13,7 @@ from rotorstab import Scales
 from rotorstab.charts import Chart, Layer
 
 from .analysis import Result, solve, window_of
-from .growth import is_known
+from .growth import known_detail
 from .share import MOST_PINS, PINNED, PinnedInputs, pin_name
 from .state import SI_INPUTS, SYMBOLS, State
 from .units import chart_in_si, key_numbers, shown_scales
@@ -69,7 +69,7 @@ def solved(one: PinnedInputs) -> Pin:
     """
     state = State(**one.inputs)
     # no curve of a pin is of the growth map, so nobody waits for a fine one
-    settled = is_known(window_of(state))
+    settled = known_detail(window_of(state)) is True
     return Pin(one.name, one.number, one.inputs, solve(state, settled), state.scales(), settled)
 
 

@@ -57,7 +57,7 @@ class Background:
     All calls come from the server's own loop, so nothing is locked.
     """
 
-    def __init__(self, niceness: int = 10) -> None:
+    def __init__(self, niceness: int = 19) -> None:
         self._niceness = niceness
         self._pool: ProcessPoolExecutor | None = None
         self._turn = asyncio.Lock()

@@ -18,6 +18,7 @@ from rotorstab.figures import FIGURES
 
 from .analysis import CHARTS, paper_figure, solve
 from .controls import Controls
+from .growth import Detail
 from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import FORMATS, MIME, gather, printer
@@ -70,7 +71,8 @@ class Session:
         self._files: list[Future[Any]] = []  # that this session waits for
         self.controls = Controls(self.respond)
         self.notice = ""
-        self.settling = Settling(self._show_settled)
+        self.settling = Settling(self._show_better)
+        self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
         self.redraw()
 
     def roots(self) -> dict[str, Any]:
@@ -89,6 +91,8 @@ class Session:
         # a forged message may hold anything; lists and arrays have no hash and no truth value
         message = {key: one for key, one in message.items() if isinstance(one, str | int | float)}
         kind, name = message.get("type"), message.get("name")
+        if kind != "settle":
+            self._shown = None
         if kind == "change" and isinstance(values, Mapping):
             errors = self.state.change(values)
         elif kind == "preset":
@@ -245,26 +249,32 @@ class Session:
         for page in self.pages.values():
             page.reset_view()
 
-    def _show_settled(self) -> None:
-        """Show the full picture, which was asked for and is there now."""
+    def _show_better(self, detail: Detail) -> None:
+        """Show what was asked for and is there now: the full map, then its edges."""
         with pn.io.hold():
-            answer = self.redraw(wait=True)
+            answer = self._redraw(detail)
             self.controls.tell(answer | self._described({}))
 
-    def redraw(self, settled: bool = True, wait: bool = False) -> dict[str, Any]:
+    def redraw(self, settled: bool = True) -> dict[str, Any]:
         """Solve and patch; a failure is told and leaves the last good picture.
 
         A full picture that takes long is made elsewhere and shown when it is there; until
-        then the coarse one is, unless the caller would rather wait.
+        then a coarse one is.
         """
+        window = self.pages[self.active].awaited(self.state) if settled else None
+        detail = self.settling.detail(window)
+        return self._redraw(detail if settled else False)
+
+    def _redraw(self, detail: Detail) -> dict[str, Any]:
         page = self.pages[self.active]
         try:
-            window = page.awaited(self.state) if settled and not wait else None
-            settled = self.settling.is_there(window) and settled
-            with pn.io.hold():
-                page.show(self.state, settled)
+            if self._shown != (page, detail):
+                self._shown = None
+                with pn.io.hold():
+                    page.show(self.state, detail)
+                self._shown = page, detail
             self.notice = ""
-            found = page.answer(self.state, settled)
+            found = page.answer(self.state, detail)
             for one in self.pages.values():
                 found |= one.beside(self.state)
             return found

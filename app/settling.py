@@ -6,60 +6,86 @@ import asyncio
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from typing import Any
 
 import panel as pn
 from bokeh.document import Document
 
-from rotorstab.window import FloquetMap, Window, floquet_map
+from rotorstab.window import Window, floquet_map, tongue_outlines
 
-from .growth import keep
+from .growth import Detail, keep, known_detail
 from .processes import background
 
 __all__ = ["Settling"]
 
 
-class Settling:
-    """Asks for the map that a session waits for, one at a time; a newer one drops the older.
+def _next_step(window: Window) -> tuple[Any, ...] | None:
+    """Return the function and arguments of what must be made next, None once all is there."""
+    detail = known_detail(window)
+    if detail == "map":
+        return tongue_outlines, window
+    return None if detail else (floquet_map, window, True)
 
-    `show` is called on the server's loop when the map is there, or could not be made elsewhere.
+
+class Settling:
+    """Asks for what a session waits for, first the map, then its edges; a newer one drops it.
+
+    `show` is called on the server's loop when either is there, or could not be made elsewhere.
     """
 
-    def __init__(self, show: Callable[[], None]) -> None:
+    def __init__(self, show: Callable[[Detail], None]) -> None:
         self._show = show
         self._awaited: Window | None = None
+        self._asked: tuple[Any, ...] | None = None
         if pn.state.curdoc is not None:
-            pn.state.curdoc.on_session_destroyed(lambda _: self._drop())
+            pn.state.curdoc.on_session_destroyed(lambda _: self.drop())
 
-    def is_there(self, window: Window | None) -> bool:
-        """Whether nothing must be made first; else have it made. None: nothing is needed."""
+    def detail(self, window: Window | None) -> Detail:
+        """Return how much can be shown at once, and have the rest made.
+
+        A window of None needs nothing.
+        """
         document = pn.state.curdoc
         if window is None or document is None:  # without a server nobody else waits
-            self._drop()
+            self.drop()
             return True
         if window != self._awaited:
-            self._drop()
+            self.drop()
             self._awaited = window
-            task = background.request(floquet_map, window, True)
+            self._ask(document, window)
+        return known_detail(window)
+
+    def drop(self) -> None:
+        """Wait no longer."""
+        if self._asked is not None:
+            background.withdraw(*self._asked)
+        self._awaited = self._asked = None
+
+    def _ask(self, document: Document, window: Window) -> None:
+        self._asked = _next_step(window)
+        if self._asked is not None:
+            task = background.request(*self._asked)
             task.add_done_callback(partial(self._made, document, window))
-        return False
 
-    def _drop(self) -> None:
-        if self._awaited is not None:
-            background.withdraw(floquet_map, self._awaited, True)
-            self._awaited = None
-
-    def _made(self, document: Document, window: Window, task: asyncio.Task[FloquetMap]) -> None:
+    def _made(self, document: Document, window: Window, task: asyncio.Task[Any]) -> None:
         if task.cancelled():
             return
-        if task.exception() is None:  # else `show` meets the same problem and tells it
+        failed = task.exception() is not None
+        if not failed:
             keep(window, task.result())
         if window != self._awaited:
             return
-        self._awaited = None
+        self._asked = None
+        if not failed:
+            self._ask(document, window)
+        # what failed is tried once more where the problem can be told
+        detail: Detail = True if failed else known_detail(window)
         if document.session_context:
             with suppress(RuntimeError):  # the session may have ended meanwhile
-                document.add_next_tick_callback(self._show_unless_moved)
+                document.add_next_tick_callback(partial(self._show_unless_moved, window, detail))
 
-    def _show_unless_moved(self) -> None:
-        if self._awaited is None:
-            self._show()
+    def _show_unless_moved(self, window: Window, detail: Detail) -> None:
+        if window == self._awaited:
+            if detail is True:
+                self._awaited = None
+            self._show(detail)

@@ -84,7 +84,7 @@ def _comparison(answer: FloquetAnswer) -> str:
     if math.isnan(true):
         return ""
     if not answer.settled:
-        return " Shares of the window follow once the sliders rest."
+        return " Shares of the window and the slowest loads follow once the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
     if answer.table.mean_growth > _GROWS:
         if true == 1:
@@ -125,4 +125,4 @@ def verdict(answer: FloquetAnswer, scales: Scales | None = None) -> str:
     words = f"{_tongues(answer, scales)} {_margin(answer, scales)}"
     if answer.table.mean_growth > _GROWS:
         words = _margin(answer, scales)  # no tongue stands out of what grows everywhere
-    return words + _comparison(answer) + _blank(answer)
+    return words + _comparison(answer) + (_blank(answer) if answer.settled else "")

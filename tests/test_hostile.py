@@ -201,6 +201,21 @@ def test_the_default_window_is_whole():
     assert "blank" not in verdict(result.floquet)
 
 
+@pytest.mark.parametrize(
+    "values", [{}, {"spin_speed": 4.0}, {"highest_frequency": 0.5}, {"model": "finite elements"}]
+)
+def test_a_map_that_moves_leaves_at_most_a_tenth_of_the_columns_for_rest(values):
+    state = State()
+    assert state.change(values) == {}
+    growth = window.floquet_map(analysis.window_of(state), settled=False).growth.growth
+    known = np.isfinite(growth).all(axis=0)
+    assert known.mean() >= 0.9
+    assert known[known.argmax() :].all()
+    moving = analysis.solve(state, settled=False).floquet
+    assert "blank" not in verdict(moving)
+    assert "slowest loads follow" in verdict(moving)
+
+
 def test_a_marker_that_cannot_be_followed_is_refused_in_words():
     state = State()
     values = {"marker": True, "marker_frequency": 0.05, "diametral_inertia": 0.01}

@@ -266,6 +266,19 @@ def test_garbage_raises_nothing_and_loses_nothing(session, message):
     json.dumps(answer, allow_nan=False)
 
 
+def test_a_picture_that_is_there_is_not_compared_again(session, monkeypatch):
+    drawn = []
+    page = session.pages[session.active]
+    show = page.show
+    monkeypatch.setattr(page, "show", lambda *given: (drawn.append(given[1]), show(*given)))
+    change(session, shear=0.03)
+    session.respond({"type": "settle"})
+    session.respond({"type": "settle"})
+    assert drawn == [False, True]
+    session.respond({"type": "view"})
+    assert drawn == [False, True, True]
+
+
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=20),
     lambda inner: (

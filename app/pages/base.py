@@ -13,6 +13,7 @@ import panel as pn
 from rotorstab.charts import Chart
 from rotorstab.window import Window
 
+from ..growth import Detail
 from ..live import LiveChart
 from ..share import PinnedInputs
 from ..state import State
@@ -60,11 +61,11 @@ class Page:
         """Return the page's Panel roots by the name its layout uses."""
         return {f"{self.key}_{key}".replace("-", "_"): one for key, one in self._places.items()}
 
-    def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
+    def compute(self, state: State, settled: Detail = True) -> dict[str, Chart]:
         """Return the page's charts for the present inputs, coarser while they move."""
         raise NotImplementedError
 
-    def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
+    def answer(self, state: State, settled: Detail = True) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
 
@@ -96,7 +97,7 @@ class Page:
         """Return which layers are shown or hidden by choice."""
         return {}
 
-    def show(self, state: State, settled: bool = True) -> None:
+    def show(self, state: State, settled: Detail = True) -> None:
         """Build the charts on the first call, patch them on every later one."""
         for key, chart in self.compute(state, settled).items():
             if key in self.charts:

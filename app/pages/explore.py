@@ -13,7 +13,7 @@ from rotorstab.charts import Chart
 from rotorstab.window import Window
 
 from ..analysis import CHARTS, Result, solve, window_of
-from ..growth import is_known
+from ..growth import Detail, known_detail
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
 from ..pins import Pin, differences, ghosted, pin, solved
 from ..rotor_file import read_rotor_file, write_rotor_file
@@ -49,7 +49,7 @@ class Explore(Page):
             text = text.replace(f"<!-- {name} -->", part)
         return text
 
-    def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
+    def compute(self, state: State, settled: Detail = True) -> dict[str, Chart]:
         """Return the three charts, and the inspector's where a point is marked.
 
         The map of growth is coarser while sliders move.
@@ -64,12 +64,12 @@ class Explore(Page):
         return charts
 
     def awaited(self, state: State) -> Window | None:
-        """Return the window of the growth map until its settled map is there."""
+        """Return the window of the growth map until all of its picture is there."""
         try:
             window = window_of(state)
         except ValueError:  # `compute` says it in words
             return None
-        return None if is_known(window) else window
+        return None if known_detail(window) is True else window
 
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells these charts from others of the same inputs."""
@@ -95,7 +95,7 @@ class Explore(Page):
             "boundary name": state.show_bolotin,
         }
 
-    def show(self, state: State, settled: bool = True) -> None:
+    def show(self, state: State, settled: Detail = True) -> None:
         """Draw; the first time, let a click on the instability chart place the marker."""
         first = not self.charts
         super().show(state, settled)
@@ -162,13 +162,13 @@ class Explore(Page):
         """Return what the shaft in SI gives, for the sidebar, which every page has."""
         return {"shaft": shaft_words(state)}
 
-    def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
+    def answer(self, state: State, settled: Detail = True) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
         result = solve(state, settled)
         answer = {
             "numbers": result.numbers,
             "verdict": verdict(result.floquet, shown_scales(state)),
-            "settled": settled,
+            "settled": settled is True,
             "inspector": None,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,

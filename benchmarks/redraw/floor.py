@@ -13,15 +13,16 @@ from bokeh.plotting import figure
 
 from app.live import LiveChart
 from app.state import State
-from benchmarks.redraw.moves import SLIDERS, charts, drag, moving_columns, values
+from benchmarks.redraw.moves import MAP, SLIDERS, charts, drag, moving_columns, values
 from rotorstab import plots
 
 COUNT = int(os.environ["FLOOR_COUNT"])
 SIZES = json.loads(os.environ["FLOOR_SIZES"])
+WITHOUT = () if os.environ.get("FLOOR_MAP", "1") == "1" else MAP
 DRAGGED = os.environ.get("FLOOR_DRAGGED", "1") == "1"
 
 figures, sources = {}, {}
-for key, chart in charts().items():
+for key, chart in charts(without=WITHOUT).items():
     width, height = SIZES[key]
     made = figures[key] = figure(
         name=key,
@@ -64,7 +65,7 @@ def slider_of(name):
     parameter = State.param[name]
     low, high = parameter.bounds
     table = [parameter.default, *values(name, COUNT), *(drag(name) if DRAGGED else ())]
-    moving = moving_columns(name, table)
+    moving = moving_columns(name, table, WITHOUT)
     ready = {value: patches(name, value, moving) for value in table}
     made = Slider(
         name=name, title=name, start=low, end=high, step=parameter.step, value=parameter.default

@@ -1,5 +1,6 @@
 """The slider values of the benchmark and what each chart must show for them."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -10,6 +11,7 @@ from app.state import State
 from rotorstab import plots
 
 SLIDERS = ("static_load_factor", "spin_speed", "shear")
+MAP = ("growth", "disagreement")  # layers that a page without Floquet's map lacks
 RATE = 60  # events/s of a drag
 SECONDS = 2
 
@@ -34,20 +36,27 @@ def drag(slider, place=0):
 
 
 @lru_cache(maxsize=2048)
-def charts(slider=None, value=None):
-    """Return the charts, as while a slider moves, for the base case with one value changed."""
+def charts(slider=None, value=None, without=()):
+    """Return the charts, as while a slider moves, for the base case with one value changed.
+
+    Some layers may be left out.
+    """
     state = State()
     if slider:
         errors = state.change({slider: value})
         assert not errors, errors
-    return solve(state, settled=False).charts
+    made = solve(state, settled=False).charts
+    return {
+        key: replace(chart, layers=tuple(one for one in chart.layers if one.label not in without))
+        for key, chart in made.items()
+    }
 
 
-def moving_columns(slider, table):
+def moving_columns(slider, table, without=()):
     """Return {(chart, layer): names of the columns that differ somewhere in a table of values}."""
     found = {}
     for value in table:
-        for key, chart in charts(slider, value).items():
+        for key, chart in charts(slider, value, without=without).items():
             for layer in chart.layers:
                 first = plots.columns(charts(slider, table[0])[key].layer(layer.label))
                 for name, column in plots.columns(layer).items():
@@ -72,6 +81,7 @@ def probe(chart):
     return total
 
 
-def probes(slider, value):
+def probes(slider, value, without=()):
     """Return the probe of every chart by its key."""
-    return {key: probe(chart) for key, chart in charts(slider, value).items()}
+    made = charts(slider, value, without)
+    return {key: probe(chart) for key, chart in made.items()}

@@ -1,6 +1,6 @@
 """What Floquet says of a chart's window: growth map, Bolotin's mask, exact edges.
 
-Arguments and results can be pickled, so that another process can make the map.
+Arguments and results can be pickled, so that another process can make map and edges.
 """
 
 from __future__ import annotations
@@ -29,12 +29,13 @@ __all__ = [
     "floquet_map",
     "followed",
     "map_options",
+    "tongue_outlines",
 ]
 
 ELEMENTS, MODES = 20, 4
 # rows and columns of the growth map and density of its nodes, while moving and settled
 PIXELS = {
-    ("lumped", False): (48, 96, 0.6),
+    ("lumped", False): (40, 80, 0.6),
     ("lumped", True): (120, 240, 1.0),
     ("finite elements", False): (20, 40, 0.6),
     ("finite elements", True): (48, 120, 1.0),
@@ -42,6 +43,8 @@ PIXELS = {
 _CLEAR = 0.95  # of the third mode's lowest resonance
 # cycles of the fastest whirl in one period of the load: on the growth map, on the tongues' edges
 MOST_CYCLES, EDGE_CYCLES = 1000, 60
+# while moving the slowest loads, a few columns that take as long as the rest, wait for rest
+MOVING_CYCLES, MOVING_SHARE = 20, 0.9
 # the same, summed over the map's columns: seconds of work at most; usual windows are whole
 MOST_WORK = {
     ("lumped", False): 5000,
@@ -103,14 +106,14 @@ class Window:
 
 @dataclass(frozen=True, eq=False)
 class FloquetMap:
-    """The growth map of a window, Bolotin's mask on its pixels, and exact edges if settled.
+    """The growth map of a window, Bolotin's mask on its pixels, and the tongues' edges if known.
 
     The map is NaN in columns whose load is too slow to be followed (`followed`).
     """
 
     growth: StabilityChart
     mask: NDArray[np.bool_]
-    outlines: tuple[Outline, ...]
+    outlines: tuple[Outline, ...] = ()
 
 
 def _fastest(window: Window) -> float:
@@ -119,7 +122,9 @@ def _fastest(window: Window) -> float:
     return float(np.abs(whirl_frequencies(system, window.static_load)).max())
 
 
-def followed(window: Window, frequencies: NDArray[np.float64]) -> NDArray[np.bool_]:
+def followed(
+    window: Window, frequencies: NDArray[np.float64], settled: bool = True
+) -> NDArray[np.bool_]:
     """Return which columns of a growth map are computed, the fastest loads first.
 
     The time that a column takes grows with the whirl cycles in a period of the load, without
@@ -131,7 +136,10 @@ def followed(window: Window, frequencies: NDArray[np.float64]) -> NDArray[np.boo
     kept = np.zeros(len(cycles), dtype=np.bool_)
     most = MOST_WORK[model.kind, model != model.undamped()]
     kept[order] = np.cumsum(cycles[order]) <= most
-    return kept & (cycles <= MOST_CYCLES)
+    limit = float(MOST_CYCLES)
+    if not settled:
+        limit = min(limit, max(MOVING_CYCLES, float(np.quantile(cycles, MOVING_SHARE))))
+    return kept & (cycles <= limit)
 
 
 def _growth(
@@ -141,7 +149,7 @@ def _growth(
     settled: bool,
 ) -> StabilityChart:
     """Return the growth map, NaN where the load is too slow to be followed."""
-    known = followed(window, frequencies)
+    known = followed(window, frequencies, settled)
     shape = (len(loads), len(frequencies))
     nothing, no = np.full(shape, np.nan), np.zeros(shape, dtype=np.bool_)
     if not known.any():
@@ -169,7 +177,7 @@ def _growth(
 
 
 def floquet_map(window: Window, settled: bool) -> FloquetMap:
-    """Return the map of a window; a settled one takes some ten times longer."""
+    """Return the map of a window without edges; a settled one takes some ten times longer."""
     model = window.model
     rows, columns, _ = PIXELS[model.kind, settled]
     loads = (np.arange(rows) + 0.5) / rows * window.top
@@ -178,10 +186,10 @@ def floquet_map(window: Window, settled: bool) -> FloquetMap:
     growth = _growth(window, loads, frequencies, settled)
     plain = model.undamped().system(window.spin_speed, window.tangency)
     mask = bolotin_mask(plain, window.static_load, loads, frequencies)
-    return FloquetMap(growth, mask, _outlines(window) if settled else ())
+    return FloquetMap(growth, mask)
 
 
-def _outlines(window: Window) -> tuple[Outline, ...]:
+def tongue_outlines(window: Window) -> tuple[Outline, ...]:
     """Return the edges of the tongues in a window, where they can be had at once.
 
     Exact for the lumped model. Those of finite elements are of their first two modes, within

@@ -1,0 +1,143 @@
+"""What a session waits for: the full map first, then its edges, and nothing that is superseded."""
+
+import asyncio
+from dataclasses import replace
+
+import panel as pn
+import pytest
+from panel.io.state import set_curdoc
+
+from app import growth, settling
+from app.analysis import window_of
+from app.growth import known_detail, known_map
+from app.settling import Settling
+from app.state import State
+from tests.serving import run
+
+WINDOW = replace(window_of(State()), spin_speed=1.2345)
+
+
+class Page:
+    """A document as far as `Settling` knows one."""
+
+    session_context = object()
+
+    def __init__(self):
+        self.callbacks = []
+
+    def on_session_destroyed(self, callback):
+        self.destroyed = callback
+
+    def add_next_tick_callback(self, callback):
+        self.callbacks.append(callback)
+
+    async def ticks(self, count):
+        """Run that many callbacks, each when it comes."""
+        for _ in range(count):
+            for _ in range(2000):
+                if self.callbacks:
+                    break
+                await asyncio.sleep(0.01)
+            self.callbacks.pop(0)()
+
+
+class Here:
+    """A background that works at once, unless it fails, and notes what it is asked."""
+
+    def __init__(self, failing=()):
+        self.asked, self.withdrawn, self.failing = [], [], failing
+
+    def request(self, function, *arguments):
+        self.asked.append(function.__name__)
+
+        async def work():
+            if function.__name__ in self.failing:
+                raise MemoryError
+            return function(*arguments)
+
+        return asyncio.create_task(work())
+
+    def withdraw(self, function, *arguments):
+        self.withdrawn.append(function.__name__)
+
+
+@pytest.fixture
+def fresh(monkeypatch):
+    """No map is known, and none is left behind."""
+    monkeypatch.setattr(growth, "_full_maps", type(growth._full_maps)())
+    monkeypatch.setattr(growth, "_edges", type(growth._edges)())
+
+
+def settle(monkeypatch, work, act):
+    """Run `act(settling, page)`; return what was shown, in order."""
+    monkeypatch.setattr(settling, "background", work)
+    shown = []
+
+    async def play():
+        page = Page()
+        with set_curdoc(page):
+            await act(Settling(shown.append), page)
+
+    run(play())
+    return shown
+
+
+def test_the_map_is_shown_before_its_edges(fresh, monkeypatch):
+    async def act(one, page):
+        assert one.detail(WINDOW) is False
+        assert one.detail(WINDOW) is False  # asked once
+        await page.ticks(1)
+        assert one.detail(WINDOW) in ("map", True)
+        await page.ticks(1)
+        assert one.detail(WINDOW) is True
+
+    work = Here()
+    assert settle(monkeypatch, work, act) == ["map", True]
+    assert work.asked == ["floquet_map", "tongue_outlines"]
+    assert known_map(WINDOW, "map").outlines == ()
+    assert len(known_map(WINDOW, True).outlines) > 3
+    assert known_map(WINDOW, "map").growth is known_map(WINDOW, True).growth
+
+
+def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
+    other = replace(WINDOW, spin_speed=2.3456)
+
+    async def act(one, page):
+        one.detail(WINDOW)
+        while not page.callbacks:
+            await asyncio.sleep(0.01)
+        one.drop()  # a slider moves before the map's turn comes
+        assert one.detail(other) is False
+        await page.ticks(3)
+
+    assert settle(monkeypatch, Here(), act) == ["map", True]
+    assert known_detail(other) is True
+
+
+def test_a_map_that_cannot_be_made_elsewhere_is_shown_all_the_same(fresh, monkeypatch):
+    async def act(one, page):
+        one.detail(WINDOW)
+        await page.ticks(1)
+        assert one.detail(WINDOW) is False  # asked anew
+
+    work = Here(failing=["floquet_map"])
+    assert settle(monkeypatch, work, act) == [True]
+    assert work.asked == ["floquet_map", "floquet_map"]
+
+
+def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
+    async def act(one, page):
+        known_map(WINDOW, "map")
+        assert one.detail(WINDOW) == "map"
+        await page.ticks(1)
+        page.destroyed(None)
+        assert work.withdrawn == []
+
+    work = Here()
+    assert settle(monkeypatch, work, act) == [True]
+    assert work.asked == ["tongue_outlines"]
+
+
+def test_without_a_server_everything_is_made_at_once(fresh):
+    assert pn.state.curdoc is None
+    assert Settling(lambda detail: None).detail(WINDOW) is True
