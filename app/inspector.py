@@ -14,6 +14,7 @@ import numpy as np
 
 from rotorstab import (
     Scales,
+    System,
     TimeResponse,
     in_bolotin_region,
     initial_conditions,
@@ -32,6 +33,7 @@ from rotorstab.charts import (
     response_chart,
 )
 from rotorstab.floquet import FloquetSolution, floquet_solution
+from rotorstab.splitting import harmonic_count
 from rotorstab.stiffness import largest_exact_load
 
 from .analysis import Model, Result, model_of
@@ -45,8 +47,17 @@ INSPECTOR_CHARTS = ("response", "multipliers", "orbit")
 _ROWS = 6000  # most samples of one response; more would only slow the page
 _SAMPLES = (24, 600)  # a period
 _MOST_CYCLES = 1000  # of the whirl in a period; more would hold up other users
+# steps of one period: 0.1 s of work for the multipliers, as much for the motion
+_MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
+_EXACT_STEPS, _HARMONICS = 2400, 40  # of the exact law; it costs twice as much with 40 harmonics
+_RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6  # of ln|μ| and of one sample: above, nothing is shown
 _PER_CYCLE = 14  # samples in one cycle of the fastest whirl
+_STEPS_PER_SAMPLE = 5  # at least
 _POINTS = 25  # of the shaft's shape
+_TOO_SLOW = (
+    "One period of this load takes more steps than can be followed while others wait, since the "
+    "rotor moves or dies away too fast against it: move the marker to a higher θ/ωₙ."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,12 +206,32 @@ def _respond(
             f"more than can be followed ({_MOST_CYCLES}): move the marker to a higher θ/ωₙ."
         )
     initial = initial_conditions(system, static, kind.replace(" ", ":"), seed)
-    floquet = floquet_solution(system, static, pulsating, excitation)
+    steps = _most_steps(model, system, loads)
+    floquet = floquet_solution(system, static, pulsating, excitation, most_steps=steps)
+    period = 2 * math.pi / excitation
+    if not (floquet.converged or float(floquet.error) * period < _RATE_ERROR):
+        raise ValueError(_TOO_SLOW)
     samples = int(np.clip(_PER_CYCLE * fastest / excitation, *_SAMPLES))
+    samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
     periods = max(1, min(periods, _ROWS // samples))
-    motion = time_response(system, static, pulsating, excitation, initial, periods, samples)
+    try:
+        motion = time_response(
+            system, static, pulsating, excitation, initial, periods, samples, most_steps=steps
+        )
+    except ValueError:
+        raise ValueError(_TOO_SLOW) from None
+    if not motion.error < _MOTION_ERROR:
+        raise ValueError(_TOO_SLOW)
     charts = (response_chart(motion), multiplier_chart(floquet.multipliers), orbit_chart(motion))
     return motion, floquet, samples, {chart.key: chart for chart in charts}
+
+
+def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:
+    """Return how many steps of a period the server's one thread has time for."""
+    if system.is_linear:
+        return _MOST_STEPS[model.kind]
+    static, pulsating = (np.array([load]) for load in loads)
+    return int(_EXACT_STEPS / (1 + harmonic_count(system, (static, pulsating)) / _HARMONICS))
 
 
 @lru_cache(maxsize=64)

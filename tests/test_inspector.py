@@ -18,6 +18,8 @@ from rotorstab import (
     initial_conditions,
     lumped,
     plots,
+    response,
+    splitting,
     time_response,
 )
 
@@ -351,6 +353,52 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page.locator(".marker-remove").click()
     page.wait_for_function("rotorstab.last.inspector === null")
     assert page.locator(".card.inspector").is_hidden()
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        # found by a random search of the sliders' ranges: 6 to 30 s of the server's one thread
+        {"model": "finite elements", "internal_damping": 0.2, "marker_frequency": 0.05},
+        {"model": "finite elements", "external_damping": 0.2, "marker_frequency": 0.2,
+         "disk_mass": 0.5, "diametral_inertia": 0.01},
+        {"law": "exact", "internal_damping": 0.2, "marker_frequency": 0.05,
+         "diametral_inertia": 0.01},
+        {"law": "exact", "static_load_factor": 0.95, "marker_factor": 1, "marker_frequency": 0.2},
+        {"marker_frequency": 0.05, "external_damping": 0.1},
+    ],
+)  # fmt: skip
+def test_no_point_costs_more_than_a_bounded_number_of_steps(monkeypatch, values):
+    """And where it is not shown, it is said why and what to do."""
+    spent, whole = [], splitting.segment_propagators
+
+    def counted(*arguments):
+        spent.append(arguments[5] * arguments[7])
+        return whole(*arguments)
+
+    state = State()
+    assert state.change(values | {"marker": True}) == {}
+    result = solve(state, settled=False)
+    monkeypatch.setattr(splitting, "segment_propagators", counted)
+    monkeypatch.setattr(response, "segment_propagators", counted)
+    try:
+        assert inspect(state, result).response.error < 1e-6
+    except ValueError as error:
+        problem = str(error)
+    else:
+        problem = ""
+    assert not problem or "move the marker to a higher θ/ωₙ" in problem
+    # multipliers and motion, with doublings, three levels each
+    assert bool(spent) or problem
+    assert sum(spent) < 2 * 2 * 12 / 5 * 5000
+
+
+def test_the_usual_points_are_all_shown():
+    """Down to θ/ωₙ = 0.3 for the base case, with either law and either model."""
+    for values in ({}, {"law": "exact"}, {"model": "finite elements"}, {"external_damping": 0.05}):
+        state = State()
+        state.change(values | {"marker": True, "marker_frequency": 0.3})
+        assert inspect(state, solve(state, settled=False)).sentence
 
 
 def test_the_pace_of_a_motion_near_the_end_of_double_precision():

@@ -20,6 +20,8 @@ from rotorstab import (
     time_response,
     whirl_frequencies,
 )
+from rotorstab.floquet import floquet_solution
+from rotorstab.splitting import divisible
 
 ROTOR = ShaftDisk()
 CRITICAL = float(critical_load(ROTOR.shear))
@@ -235,3 +237,21 @@ def test_shape_in_limits_and_in_bulk():
         shaft_shape(ROTOR, 30.0, [1.0, 1.0])
     with pytest.raises(ValueError, match="`tip_state` must hold"):
         shaft_shape(ROTOR, 1.0, [1.0, np.nan])
+
+
+def test_the_work_of_a_period_can_be_bounded():
+    system = lumped(ROTOR, 2.0)
+    start = initial_conditions(system, 1.0)
+    few = {"initial": start, "periods": 2, "most_steps": 300}
+    with pytest.raises(ValueError, match="more than `most_steps`, 300"):
+        time_response(system, 1.0, 0.5, 0.01, **few)
+    assert time_response(system, 1.0, 0.5, 1.3, **few).error < 1e-9
+    solution = floquet_solution(system, 1.0, 0.5, [0.001, 1.3], most_steps=300)
+    assert solution.converged.tolist() == [False, True]
+
+
+@pytest.mark.parametrize("count", [1, 31, 63, 593, 997, 65_537])
+def test_steps_are_made_divisible(count):
+    better = divisible(count)
+    assert count <= better <= count * 17 / 16
+    assert better % (1 << max(0, count.bit_length() - 5)) == 0

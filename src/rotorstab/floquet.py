@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import numbers
+from .checks import number, numbers
 from .modal import ModalBasis, splitting_basis
-from .splitting import POINT_SCHEME, propagate
+from .splitting import POINT_SCHEME, divisible, propagate
 from .system import System
 
 __all__ = ["FloquetSolution", "floquet_multipliers", "floquet_solution", "growth_rate"]
@@ -115,7 +115,7 @@ def _batches(radians: Array, size: int) -> Iterator[NDArray[np.intp]]:
 
 
 def _solve(
-    system: System, static: Array, pulsating: Array, period: Array, share: float
+    system: System, static: Array, pulsating: Array, period: Array, share: float, most_steps: int
 ) -> tuple[Complex, Array, NDArray[np.bool_]]:
     """Return multipliers, growth error and convergence of a flat list of points."""
     size = 2 * system.size
@@ -131,8 +131,9 @@ def _solve(
     converged = np.zeros(len(period), dtype=np.bool_)
     for batch in _batches(radians, size):
         factor = int(np.ceil(radians[batch].max() / _RADIANS_PER_STEP / _LEVELS[-1])) + 1
+        factor = divisible(factor)
         pending = batch
-        while len(pending) and factor * _LEVELS[-1] <= _MOST_STEPS:
+        while len(pending) and factor * _LEVELS[-1] <= most_steps:
             part = system
             if system.spin_speed.ndim:
                 part = replace(system, spin_speed=system.spin_speed[pending])
@@ -161,7 +162,7 @@ def _solve(
         if system.spin_speed.ndim:
             system = replace(system, spin_speed=system.spin_speed[lost])
         multipliers[lost], error[lost], converged[lost] = _solve(
-            system, static[lost], pulsating[lost], period[lost], 1.0
+            system, static[lost], pulsating[lost], period[lost], 1.0, most_steps
         )
     return multipliers, error, converged
 
@@ -171,6 +172,8 @@ def floquet_solution(
     static_load: ArrayLike,
     pulsating_load: ArrayLike,
     excitation_frequency: ArrayLike,
+    *,
+    most_steps: int = _MOST_STEPS,
 ) -> FloquetSolution:
     """Return Floquet multipliers, growth rate and its estimated error.
 
@@ -182,6 +185,8 @@ def floquet_solution(
         p̄₀ and p̄_t [EI/L²] of p̄(t) = p̄₀ + p̄_t cos θ̄t.
     excitation_frequency : (...) float
         θ̄ [√(EI/(ρAL⁴))], above 0. All broadcast together and with the spin speed.
+    most_steps : int
+        Of one period, 1 or more: bounds the work. What would take more is not converged, or NaN.
 
     Returns
     -------
@@ -220,7 +225,10 @@ def floquet_solution(
         )
     period = 2 * np.pi / frequency.ravel()
     share = 1.0 if system.is_damped else 0.5
-    multipliers, error, converged = _solve(system, static.ravel(), pulsating.ravel(), period, share)
+    most = int(number("most_steps", most_steps, 1))
+    multipliers, error, converged = _solve(
+        system, static.ravel(), pulsating.ravel(), period, share, most
+    )
     with np.errstate(divide="ignore"):
         growth = np.log(np.abs(multipliers[:, 0])) / period
     result: tuple[NDArray[Any], ...] = (

@@ -173,7 +173,7 @@ def initial_conditions(
 
 
 def _sample_propagators(
-    system: System, static: float, pulsating: float, period: float, samples: int
+    system: System, static: float, pulsating: float, period: float, samples: int, most_steps: int
 ) -> tuple[Complex, Complex, Complex, float]:
     """Return V, V⁻¹, Y(0 → t_s) for s = 0 … samples, (samples + 1, 2n, 2n), and the error."""
     basis = splitting_basis(system, static)
@@ -182,6 +182,11 @@ def _sample_propagators(
     fastest = np.abs(basis.frequencies).max() ** 2
     fastest += drive * (abs(static - float(basis.load)) + abs(pulsating))
     factor = int(np.sqrt(fastest) * period / samples / _LEVELS[-1]) + 1
+    if factor * _LEVELS[-1] * samples > most_steps:
+        raise ValueError(
+            "`excitation_frequency` is so low that one period takes "
+            f"{factor * _LEVELS[-1] * samples} steps, more than `most_steps`, {most_steps}"
+        )
     while True:
         fine = coarse = np.complex128(0)
         weights = extrapolation_weights(_LEVELS), extrapolation_weights(_LEVELS[1:])
@@ -200,7 +205,7 @@ def _sample_propagators(
             if index:
                 coarse = coarse + weights[1][index - 1] * y
         gap = float(np.abs(fine - coarse).max() / np.abs(fine).max())
-        if not gap > _TOLERANCE or 2 * factor * _LEVELS[-1] * samples > _MOST_STEPS:
+        if not gap > _TOLERANCE or 2 * factor * _LEVELS[-1] * samples > most_steps:
             break
         factor *= 2
     parts = np.moveaxis(np.asarray(fine), -1, 0)
@@ -231,6 +236,8 @@ def time_response(
     periods: int = 40,
     samples_per_period: int = 48,
     tip: tuple[int, int] = (0, 1),
+    *,
+    most_steps: int = _MOST_STEPS,
 ) -> TimeResponse:
     """Return the motion of the tip from given initial conditions.
 
@@ -251,6 +258,9 @@ def time_response(
     tip : (int, int)
         Which coordinates are the tip's displacement and slope; (-2, -1) for a finite-element
         system that is not reduced.
+    most_steps : int
+        Of one period, 1 or more: bounds the work; fewer steps than are wanted leave a larger
+        `error`.
 
     Returns
     -------
@@ -260,8 +270,8 @@ def time_response(
     Raises
     ------
     ValueError
-        If an argument is out of range, the load passes the pole of the exact stiffness, or
-        the motion overflows within one period.
+        If an argument is out of range, the load passes the pole of the exact stiffness, one
+        period takes more than `most_steps` steps, or the motion overflows within it.
 
     Notes
     -----
@@ -286,6 +296,7 @@ def time_response(
     frequency = number("excitation_frequency", excitation_frequency, 0.0, open_low=True)
     length = int(number("periods", periods, 1))
     samples = int(number("samples_per_period", samples_per_period, 4))
+    most = int(number("most_steps", most_steps, 1))
     if length * samples > _MOST_ROWS:
         raise ValueError(
             f"`periods` times `samples_per_period` must be at most {_MOST_ROWS}, "
@@ -299,7 +310,7 @@ def time_response(
     ends = [index % n for index in tip]
     with np.errstate(over="ignore", invalid="ignore"):
         vectors, inverse, from_start, error = _sample_propagators(
-            system, static, pulsating, period, samples
+            system, static, pulsating, period, samples, most
         )
     monodromy = from_start[-1]
     if not np.isfinite(monodromy).all():

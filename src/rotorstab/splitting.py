@@ -19,7 +19,15 @@ from .modal import ModalBasis
 from .stiffness import largest_exact_load
 from .system import System
 
-__all__ = ["MAP_SCHEME", "POINT_SCHEME", "Scheme", "propagate", "segment_propagators"]
+__all__ = [
+    "MAP_SCHEME",
+    "POINT_SCHEME",
+    "Scheme",
+    "divisible",
+    "harmonic_count",
+    "propagate",
+    "segment_propagators",
+]
 
 _ENTRIES_WANTED = 8192  # below, the overhead of a NumPy call outweighs its work
 _WORST_MODES = 1e3  # condition of a load operator's eigenvectors that may be used
@@ -119,7 +127,7 @@ def _exact_factors(
     n = system.size
 
     # K(p̄₀ + p̄_t cos φ) as a cosine series: K itself is dear
-    count = _harmonic_count(system, loads)
+    count = harmonic_count(system, loads)
     harmonics: Array = np.stack(system.load_harmonics(*loads, count=count))
     harmonics[0] -= system.load_stiffness(basis.load)
     harmonics = np.moveaxis(
@@ -142,7 +150,7 @@ def _exact_factors(
     return basis.inverse[..., :, n:], basis.vectors[..., :n, :], factors
 
 
-def _harmonic_count(system: System, loads: Loads) -> int:
+def harmonic_count(system: System, loads: Loads) -> int:
     """Return how many harmonics of K(p̄(t)) matter: they fall like ρ^−m, ρ set by the pole."""
     assert system.exact_shear is not None
     reach = np.min((largest_exact_load(system.exact_shear) - loads[0]) / (np.abs(loads[1]) + 1e-9))
@@ -193,6 +201,15 @@ def _chain(y: Complex) -> Complex:
         odd = y[:, :, -1:] if y.shape[2] % 2 else None
         y = pairs if odd is None else np.concatenate([pairs, odd], axis=2)
     return np.asarray(y[:, :, 0])
+
+
+def divisible(count: int) -> int:
+    """Return a count at most a sixteenth larger that many numbers divide, for `propagate`.
+
+    A prime number of steps leaves no equal segments, and takes ten times as long.
+    """
+    unit = 1 << max(0, count.bit_length() - 5)
+    return -(-count // unit) * unit
 
 
 def propagate(
