@@ -8,7 +8,10 @@ import reprlib
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["choice", "number", "numbers", "series", "whole_number"]
+__all__ = ["LARGEST", "choice", "number", "numbers", "series", "whole_number"]
+
+LARGEST = 1e9
+"""Largest spin speed, load and damping ratio, far past any shaft: beyond, answers are rounding."""
 
 
 def _interval(low: float, high: float, open_low: bool, open_high: bool) -> str:

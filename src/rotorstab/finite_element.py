@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eigh, eigvalsh
 
-from .checks import number, numbers
+from .checks import LARGEST, number, numbers
 from .rotor import ShaftDisk
 from .system import System, fundamental_frequency
 
@@ -203,8 +203,8 @@ def finite_element(
     3.51602
     """
     tangency = number("tangency", tangency, 0.0, 1.0)
-    external = number("external_damping", external_damping, 0.0)
-    internal = number("internal_damping", internal_damping, 0.0)
+    external = number("external_damping", external_damping, 0.0, LARGEST)
+    internal = number("internal_damping", internal_damping, 0.0, LARGEST)
     elements = _whole("elements", elements, 1, _MOST_ELEMENTS)
     translational, rotational, elastic, load = _shaft(rotor.shear, elements)
     inertia = rotor.slenderness**2
@@ -228,7 +228,7 @@ def finite_element(
         internal_damping=np.zeros_like(mass),
         elastic=elastic,
         geometric=geometric,
-        spin_speed=numbers("spin_speed", spin_speed),
+        spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
         tangency=tangency,
     )
     if external == 0 and internal == 0:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import choice, number, numbers
+from .checks import LARGEST, choice, number, numbers
 from .rotor import ShaftDisk
 from .stiffness import exact_stiffness, largest_exact_load, linear_stiffness, refuse_poles
 
@@ -89,7 +89,7 @@ class System:
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
         """Return the same rotor at another spin speed Ω̄ (...)."""
-        return replace(self, spin_speed=numbers("spin_speed", spin_speed))
+        return replace(self, spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST))
 
     def spin_matrix(self) -> Array:
         """Return Ω̄ H (..., n, n): jD of the undamped system, real."""
@@ -111,7 +111,7 @@ class System:
         -------
         (..., n, n) float
         """
-        load = numbers("load", load)
+        load = numbers("load", load, -LARGEST, LARGEST)
         if self.exact_shear is not None:
             return exact_stiffness(load, self.exact_shear, self.tangency)
         return self.elastic + load[..., None, None] * self.geometric
@@ -247,8 +247,8 @@ def lumped(
     disk_mass = number("disk_mass", rotor.disk_mass, 0.0, open_low=True)
     inertia = number("diametral_inertia", rotor.diametral_inertia, 0.0, open_low=True)
     tangency = number("tangency", tangency, 0.0, 1.0)
-    external = number("external_damping", external_damping, 0.0)
-    internal = number("internal_damping", internal_damping, 0.0)
+    external = number("external_damping", external_damping, 0.0, LARGEST)
+    internal = number("internal_damping", internal_damping, 0.0, LARGEST)
     law = choice("stiffness", stiffness, ("linear", "exact"))
     elastic, geometric = linear_stiffness(rotor.shear, tangency)
     mass = np.diag([disk_mass, inertia])
@@ -259,7 +259,7 @@ def lumped(
         internal_damping=np.zeros((2, 2)),
         elastic=elastic,
         geometric=geometric,
-        spin_speed=numbers("spin_speed", spin_speed),
+        spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
         tangency=tangency,
         exact_shear=rotor.shear if law == "exact" else None,
     )

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eigvals
 from scipy.optimize import linear_sum_assignment
 
-from .checks import number, numbers, series
+from .checks import LARGEST, number, numbers, series
 from .modal import mode_names as ranked_names
 from .quartic import quartic_roots
 from .system import System
@@ -178,7 +178,7 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     >>> whirl_frequencies(lumped(ShaftDisk(), 1.0), 0.0).real.round(4).tolist()
     [-1.9348, -0.4041, 0.9092, 3.4297]
     """
-    load = numbers("load", load)
+    load = numbers("load", load, -LARGEST, LARGEST)
     if system.size == 2 and not system.is_damped:
         return _two_degrees(system, load)
     return eigenvalues(system, load)
