@@ -39,7 +39,7 @@ from rotorstab.stiffness import largest_exact_load
 from .analysis import Model, Result, model_of
 from .point_words import Pair, describe
 from .state import State
-from .units import shown_scales
+from .units import load_in, shown_scales
 
 __all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
 
@@ -150,7 +150,7 @@ def _motion(
     point: _Point, motion: TimeResponse, samples: int, scales: Scales | None
 ) -> dict[str, Any]:
     """Return what the animation draws, sizes relative to the largest excursion."""
-    load = 1.0 if scales is None else scales.load
+    load, unit = (1.0, "") if scales is None else load_in(scales)
     pole = float(largest_exact_load(point.model.rotor.shear))
     shapes = shaft_shape(
         point.model.rotor, min(point.static, 0.9 * pole), np.eye(2), _POINTS
@@ -166,7 +166,7 @@ def _motion(
         "largest": largest if motion.log_scale == 0 else None,
         "static": point.static * load,
         "pulsating": point.pulsating * load,
-        "load": ["p̄", ""] if scales is None else ["P", " N"],
+        "load": ["P", f" {unit}"] if unit else ["p̄", ""],
         "tangency": point.tangency,
         "spin": point.spin_speed,
         "fastest": float(max(point.excitation, _pace_of(motion))),

@@ -32,6 +32,11 @@ def _same(new: Any, old: Any) -> bool:
     return bool(new == old)
 
 
+def _named(chart: Chart) -> tuple[str, ...]:
+    """Return what tells a chart's units: a thicker shaft may turn N into kN."""
+    return chart.units, chart.x_label, chart.y_label
+
+
 class LiveChart:
     """One Bokeh figure, drawn by HoloViews, that follows a sequence of charts."""
 
@@ -69,7 +74,7 @@ class LiveChart:
                 self._drawn[layer.label] = columns
                 if layer.label in self._colours and layer.label == "growth":
                     self._rescale(columns["image"][0])
-        if chart.units != self._chart.units:
+        if _named(chart) != _named(self._chart):
             self._rename(self._chart, chart)
         self._chart = chart
         for axis, wanted in (("x", chart.x_range), ("y", chart.y_range)):

@@ -3,29 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from rotorstab import Scales
-from rotorstab.charts import Chart, Layer
+from rotorstab.charts import Chart, Layer, load_unit, written
 
 from .analysis import Result, solve, window_of
 from .growth import known_detail
 from .share import MOST_PINS, PINNED, PinnedInputs, pin_name
 from .state import SI_INPUTS, SYMBOLS, State
-from .units import chart_in_si, key_numbers, shown_scales
+from .units import chart_in_si, key_numbers, quantities_in_si, shown_scales
 
 __all__ = ["Pin", "differences", "ghosted", "pin", "solved"]
 
 _CURVES = {"instability": "boundary", "load-frequency": "whirl", "campbell": "whirl"}
-# non-dimensional and in SI
+# non-dimensional and in SI, where loads are in the unit of the present shaft
 _NUMBERS = {
-    "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [N]"),
-    "flutter": ("Flutter load p̄_f", "Flutter load P_f [N]"),
-    "static_load": ("Static load p̄_0", "Static load P_0 [N]"),
+    "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [{}]"),
+    "flutter": ("Flutter load p̄_f", "Flutter load P_f [{}]"),
+    "static_load": ("Static load p̄_0", "Static load P_0 [{}]"),
     "fundamental": ("At rest ω̄_n", "At rest f_n [Hz]"),
 }
 _RANGES = ("lowest", "highest", "largest")
@@ -73,27 +73,32 @@ def solved(one: PinnedInputs) -> Pin:
     return Pin(one.name, one.number, one.inputs, solve(state, settled), state.scales(), settled)
 
 
-def ghosted(charts: dict[str, Chart], pins: Sequence[Pin]) -> dict[str, Chart]:
-    """Return the charts with the pinned curves added, in the charts' units."""
+def ghosted(
+    charts: dict[str, Chart], pins: Sequence[Pin], scales: Scales | None
+) -> dict[str, Chart]:
+    """Return the charts with the pinned curves added, in the charts' units.
+
+    `scales` are those of the present shaft, or None for the paper's numbers.
+    """
     if not pins:
         return charts
     return {
-        key: replace(chart, layers=(*chart.layers, _ghosts(chart, pins)))
+        key: replace(chart, layers=(*chart.layers, _ghosts(chart, pins, scales)))
         if key in _CURVES
         else chart
         for key, chart in charts.items()
     }
 
 
-def _ghosts(now: Chart, pins: Sequence[Pin]) -> Layer:
+def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
     """Return the pinned curves that are not just the present ones again."""
     label = _CURVES[now.key]
     present = now.layer(label).columns
     columns: dict[str, list[Any]] = {"xs": [], "ys": [], "name": [], "role": []}
     for one in pins:
         chart = one.result.charts[now.key]
-        if now.units == "SI":
-            chart = chart_in_si(chart, one.scales, one.result.numbers)
+        if scales is not None:
+            chart = chart_in_si(chart, one.scales, one.result.numbers, load_unit(scales))
         kept = chart.layer(label).columns
         for x, y, name, role in zip(*(kept[key] for key in columns), strict=True):
             covered = any(
@@ -112,18 +117,21 @@ def _ghosts(now: Chart, pins: Sequence[Pin]) -> Layer:
 def _shown(value: Any) -> str:
     if value is None:
         return "none"
-    return f"{value:.5g}".replace("-", "−") if isinstance(value, float) else str(value)
+    return written(value, 5) if isinstance(value, float) else str(value)
 
 
-def _numbers(result: Result, scales: Scales | None, settled: bool = True) -> dict[str, str]:
-    shown = result.numbers if scales is None else key_numbers(scales, result.numbers)
+def _numbers(
+    result: Result, scales: Scales | None, unit: str, settled: bool = True
+) -> dict[str, str]:
+    """Return the key numbers by name; with the scales of its shaft in SI, loads in `unit`."""
+    shown = result.numbers if scales is None else key_numbers(scales, result.numbers, unit)
     si = scales is not None
-    numbers = {words[si]: _shown(shown[name]) for name, words in _NUMBERS.items()}
+    numbers = {words[si].format(unit): _shown(shown[name]) for name, words in _NUMBERS.items()}
     for name, (real, imaginary) in shown["whirl"].items():
         grows = ""
         if abs(imaginary) > 1e-9:
             word = "grows" if imaginary < 0 else "decays"
-            grows = f", {word} by {abs(imaginary):.3g}{' 1/s' if si else ''}"
+            grows = f", {word} by {written(abs(imaginary), 3)}{' 1/s' if si else ''}"
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
     part = result.floquet.unstable_share
     share = f"{100 * part:.3g} %" if math.isfinite(part) else "not computed"
@@ -136,17 +144,21 @@ def _numbers(result: Result, scales: Scales | None, settled: bool = True) -> dic
 
 def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, Any]:
     """Return the pins' names and the rows, inputs and key numbers, in which they differ."""
-    every = [state.inputs(), *(one.inputs for one in pins)]
-    rows = []
-    for name in PINNED:
-        values = [_shown(inputs[name]) for inputs in every]
-        if len(set(values)) > 1 and not name.startswith(_RANGES):
-            label = f"{State.param[name].label} {SYMBOLS.get(name, '')} {_unit(name)}"
-            rows.append([label.strip(), *values])
     scales = shown_scales(state)
-    numbers = [_numbers(result, scales)]
+    unit = "" if scales is None else load_unit(scales)
+    own = [scales, *(None if scales is None else one.scales for one in pins)]
+    every = [
+        _inputs(inputs, one)
+        for inputs, one in zip([state.inputs(), *(p.inputs for p in pins)], own, strict=True)
+    ]
+    rows = [
+        [label, *(one[label] for one in every)]
+        for label in every[0]
+        if len({one[label] for one in every}) > 1
+    ]
+    numbers = [_numbers(result, scales, unit)]
     numbers += [
-        _numbers(one.result, None if scales is None else one.scales, one.settled) for one in pins
+        _numbers(one.result, of, unit, one.settled) for one, of in zip(pins, own[1:], strict=True)
     ]
     for name in numbers[0]:
         values = [one.get(name, "none") for one in numbers]
@@ -159,6 +171,18 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
     }
 
 
-def _unit(name: str) -> str:
-    unit = SI_INPUTS.get(name)
-    return f"[{unit}]" if unit else ""
+def _inputs(inputs: Mapping[str, Any], scales: Scales | None) -> dict[str, str]:
+    """Return the inputs that a pin tells by label; with the scales of their shaft in SI."""
+    units = {} if scales is None else quantities_in_si(scales)
+    found = {}
+    for name in PINNED:
+        if name.startswith(_RANGES):
+            continue
+        factor, unit = units.get(name, (None, SI_INPUTS.get(name, "")))
+        value = inputs[name] if factor is None else inputs[name] * factor
+        symbol = SYMBOLS.get(name, "")
+        if factor is not None:
+            symbol = symbol.replace("\u0304", "")  # the bar of the non-dimensional
+        label = f"{State.param[name].label} {symbol} {f'[{unit}]' if unit else ''}"
+        found[" ".join(label.split())] = _shown(value)
+    return found

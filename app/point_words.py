@@ -8,13 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from rotorstab import Scales
+from rotorstab.charts import written
 from rotorstab.floquet import FloquetSolution
 
 from .analysis import Result
 from .state import State
-from .units import shown_scales
+from .units import load_words, shown_scales
 
-__all__ = ["Pair", "Units", "describe", "quantity"]
+__all__ = ["Pair", "Units", "describe"]
 
 _PRECISE = 1e-8  # growth below this is rounding
 
@@ -27,11 +28,6 @@ class Pair:
     frequencies: tuple[float, float]
     combination: str
     threshold: float
-
-
-def quantity(value: float) -> str:
-    """Return a number of four digits."""
-    return f"{value:.4g}".replace("-", "−")
 
 
 @dataclass(frozen=True)
@@ -65,20 +61,19 @@ class Units:
         if self.scales is None:
             return f"{ratio:+.3f}".replace("-", "−")
         hertz = ratio * self.fundamental * self.scales.frequency / (2 * math.pi)
-        return f"{hertz:+.3g} Hz".replace("-", "−")
+        return f"{'+' if hertz >= 0 else ''}{written(hertz, 3)} Hz"
 
     def factor(self, value: float) -> str:
         """Return β_d, with its load where that has a unit."""
         if self.scales is None:
             return f"β_d = {value:.3f}"
-        newtons = value * self.reference * self.scales.load
-        return f"β_d = {value:.3f} (P_t = {quantity(newtons)} N)"
+        return f"β_d = {value:.3f} (P_t = {load_words(value * self.reference, self.scales)})"
 
     def rate(self, growth: float) -> tuple[str, str]:
         """Return the name and the value of a growth rate."""
         if self.scales is None:
-            return "Growth rate σ̄", quantity(growth)
-        return "Growth rate σ", f"{quantity(growth * self.scales.frequency)} 1/s"
+            return "Growth rate σ̄", written(growth)
+        return "Growth rate σ", f"{written(growth * self.scales.frequency)} 1/s"
 
     @property
     def product(self) -> str:
@@ -88,20 +83,20 @@ class Units:
     def time(self, value: float) -> str:
         """Return a time."""
         if self.scales is None:
-            return f"t̄ = {quantity(value)}"
-        return f"{quantity(value / self.scales.frequency)} s"
+            return f"t̄ = {written(value)}"
+        return f"{written(value / self.scales.frequency)} s"
 
     def _hertz(self, ratio: float) -> str:
         assert self.scales is not None
         hertz = ratio * self.fundamental * self.scales.frequency / (2 * math.pi)
-        return f"{quantity(hertz)} Hz"
+        return f"{written(hertz)} Hz"
 
 
 def _pace(growth: float, period: float, units: Units) -> tuple[str, str, str]:
     """Return the name of doubling or halving, its periods and its time."""
     time = math.log(2) / abs(growth)
     name = "Doubles in" if growth > 0 else "Halves in"
-    return name, f"{time / period:.3g} periods", units.time(time)
+    return name, f"{written(time / period, 3)} periods", units.time(time)
 
 
 def describe(
@@ -140,7 +135,7 @@ def describe(
         name, periods, time = _pace(growth, period, units)
         facts += [
             [*units.rate(growth)],
-            [f"{units.product} a period", quantity(growth * period)],
+            [f"{units.product} a period", written(growth * period)],
             [name, f"{periods} ({time})"],
         ]
         pace = periods if units.scales is None else f"{time}, {periods}"

@@ -8,7 +8,7 @@ from html import escape
 from typing import Any
 
 from .state import SYMBOLS, State
-from .units import key_numbers, named_inputs, shown_scales
+from .units import key_numbers, load_in, named_inputs, shown_scales
 
 __all__ = ["page_address", "report_html"]
 
@@ -94,7 +94,7 @@ def report_html(
     scales = shown_scales(state)
     si = scales is not None
     shown = numbers if scales is None else key_numbers(scales, numbers)
-    suffix = (" [N]", " [Hz]") if si else ("", "")
+    suffix = ("", "") if scales is None else (f" [{load_in(scales)[1]}]", " [Hz]")
     keys = [
         (words_.replace("\u0304", "") + suffix[name == "fundamental"], _shown(shown[name]))
         if si

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rotorstab import Scales
-from rotorstab.charts import Chart, chart_factors, in_si
+from rotorstab.charts import LOAD_UNITS, Chart, chart_factors, in_si, load_unit, written
 
 from .state import SI_INPUTS, SYMBOLS, State
 
@@ -15,16 +15,21 @@ __all__ = [
     "chart_in_si",
     "displayed",
     "key_numbers",
+    "load_in",
+    "load_words",
     "named_inputs",
+    "quantities_in_si",
     "shaft_words",
     "shown_scales",
     "si_answer",
 ]
 
 
-def chart_in_si(chart: Chart, scales: Scales, numbers: Mapping[str, Any]) -> Chart:
+def chart_in_si(
+    chart: Chart, scales: Scales, numbers: Mapping[str, Any], unit: str | None = None
+) -> Chart:
     """Return a chart in SI; the key numbers are those of the rotor it shows."""
-    return in_si(chart, scales, numbers["fundamental"], numbers["reference"])
+    return in_si(chart, scales, numbers["fundamental"], numbers["reference"], unit)
 
 
 def shown_scales(state: State) -> Scales | None:
@@ -42,14 +47,41 @@ def displayed(
     return {key: chart_in_si(chart, scales, numbers) for key, chart in charts.items()}
 
 
-def key_numbers(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the key numbers in SI: loads [N], frequencies [Hz], growth of a whirl [1/s].
+def load_in(scales: Scales, unit: str | None = None) -> tuple[float, str]:
+    """Return what one EI/L² is in a unit of load, the shaft's own by default, and its name."""
+    unit = unit or load_unit(scales)
+    return scales.load / LOAD_UNITS[unit], unit
 
-    `whirl` holds [Hz, 1/s] by mode, everything else one number or None.
+
+def load_words(load: float, scales: Scales) -> str:
+    """Return a load p̄ with its unit, such as 4596 N or 1.532 MN."""
+    factor, unit = load_in(scales)
+    return f"{written(load * factor)} {unit}"
+
+
+def quantities_in_si(scales: Scales) -> dict[str, tuple[float, str]]:
+    """Return what one unit of a rotor's inputs is in SI, and the unit."""
+    inertia = scales.mass * scales.length**2
+    return {
+        "spin_speed": (scales.frequency * 60 / (2 * math.pi), "rpm"),
+        "disk_mass": (scales.mass, "kg"),
+        "diametral_inertia": (inertia, "kg m²"),
+        "polar_inertia": (inertia, "kg m²"),
+    }
+
+
+def key_numbers(
+    scales: Scales, numbers: Mapping[str, Any], unit: str | None = None
+) -> dict[str, Any]:
+    """Return the key numbers in SI: loads, frequencies [Hz], growth of a whirl [1/s].
+
+    Loads are in `unit`, by default the one that suits the shaft. `whirl` holds [Hz, 1/s] by
+    mode, everything else one number or None.
     """
     hertz = scales.frequency / (2 * math.pi)
+    force = load_in(scales, unit)[0]
     loads = {
-        name: None if numbers[name] is None else numbers[name] * scales.load
+        name: None if numbers[name] is None else numbers[name] * force
         for name in ("buckling", "flutter", "static_load", "reference")
     }
     whirl = {
@@ -59,36 +91,28 @@ def key_numbers(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, Any]:
     return {**loads, "fundamental": numbers["fundamental"] * hertz, "whirl": whirl}
 
 
-def _quantity(value: float, unit: str) -> str:
-    # no exponent where plain digits say as much: 1532 N, 15320 N
-    text = (
-        f"{value:.4g}" if abs(value) < 1000 or abs(value) >= 1e7 else f"{float(f'{value:.4g}'):.0f}"
-    )
-    return f"{text} {unit}".replace("-", "−").replace("e+0", "e")
-
-
 def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
     """Return what the browser shows in SI: key numbers, hints beside sliders, chart factors."""
     scales = state.scales()
-    hertz = scales.frequency / (2 * math.pi)
-    reference = numbers["reference"] * scales.load
-    fundamental = numbers["fundamental"] * hertz
-    inertia = scales.mass * scales.length**2
+    fundamental = numbers["fundamental"] * scales.frequency / (2 * math.pi)
     hints = {
-        "static_load_factor": _quantity(state.static_load_factor * reference, "N"),
-        "spin_speed": _quantity(state.spin_speed * hertz * 60, "rpm"),
-        "disk_mass": _quantity(state.disk_mass * scales.mass, "kg"),
-        "diametral_inertia": _quantity(state.diametral_inertia * inertia, "kg m²"),
-        "polar_inertia": _quantity(state.polar_inertia * inertia, "kg m²"),
-        "largest_factor": _quantity(state.largest_factor * reference, "N"),
-        "lowest_frequency": _quantity(state.lowest_frequency * fundamental, "Hz"),
-        "highest_frequency": _quantity(state.highest_frequency * fundamental, "Hz"),
+        name: f"{written(getattr(state, name) * factor)} {unit}"
+        for name, (factor, unit) in quantities_in_si(scales).items()
     }
+    for name in ("static_load_factor", "largest_factor", "marker_factor"):
+        hints[name] = load_words(getattr(state, name) * numbers["reference"], scales)
+    for name in ("lowest_frequency", "highest_frequency", "marker_frequency"):
+        hints[name] = f"{written(getattr(state, name) * fundamental)} Hz"
     factors = {
         key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
         for key in keys
     }
-    return {"numbers": key_numbers(scales, numbers), "hints": hints, "factors": factors}
+    return {
+        "numbers": key_numbers(scales, numbers),
+        "load_unit": load_unit(scales),
+        "hints": hints,
+        "factors": factors,
+    }
 
 
 def shaft_words(state: State) -> dict[str, Any]:
@@ -98,7 +122,7 @@ def shaft_words(state: State) -> dict[str, Any]:
     except ValueError as error:
         return {"words": str(error), "in_use": False, "good": False}
     given = [
-        f"{SYMBOLS[name]} = {getattr(rotor, name):.5g}"
+        f"{SYMBOLS[name]} = {written(getattr(rotor, name), 5)}"
         for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
     ]
     in_use = state.shaft_in_use()

@@ -137,11 +137,8 @@ window.rotorstab.inspector = (() => {
   }, { once: true });
 
   // as the sidebar's hints: beside each box in SI
-  function si({ factors }) {
-    const [x, y] = factors.instability;
-    for (const [name, by, unit] of [["marker_frequency", x, "Hz"], ["marker_factor", y, "N"]]) {
-      one(`[data-marker-si="${name}"]`).textContent = `= ${Number((values[name] * by).toPrecision(4))} ${unit}`;
-    }
+  function si({ hints }) {
+    for (const name of ["marker_frequency", "marker_factor"]) one(`[data-marker-si="${name}"]`).textContent = `= ${hints[name]}`;
   }
 
   return {
@@ -172,6 +169,7 @@ window.rotorstab.inspector = (() => {
         words.replaceChildren(...page.rich(data.inspector.sentence));
       }
       facts(data.inspector.facts);
+      for (const place of card.querySelectorAll(".steady")) page.steady(place);
       if (data.inspector.motion) page.shaft.load(data.inspector.motion);
       if (!painted) {
         // its charts were made just now

@@ -14,6 +14,13 @@ window.rotorstab = (() => {
   const coarse = window.matchMedia("(pointer: coarse)");
   const freed = new WeakSet();
 
+  // while a lesson asks for a prediction the tongues have no names, nor does the pointer find any
+  function veilNames(figure, quiet) {
+    const names = figure.renderers.find((one) => one.name === "tongue");
+    names?.glyph.setv({ text_alpha: { value: page.veiled ? 0 : 1 }, background_fill_alpha: { value: page.veiled ? 0 : 0.7 } }, quiet);
+    for (const tool of figure.toolbar.tools) if (tool.type === "HoverTool") tool.setv({ active: !page.veiled }, quiet);
+  }
+
   function paintCharts() {
     if (!window.Bokeh) return;
     const ink = token("--ink"), soft = token("--soft"), grid = token("--chart-grid"), card = token("--card");
@@ -30,6 +37,9 @@ window.rotorstab = (() => {
             case "BoxZoomTool":
               // one finger scrolls the page over a chart; the tool stands ready above it
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
+              break;
+            case "Figure":
+              if (model.name === "instability") veilNames(model, quiet);
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
@@ -69,26 +79,40 @@ window.rotorstab = (() => {
   // -- numbers ---------------------------------------------------------------
   function number(value) {
     if (value === null || value === undefined) return "none";
-    return value.toPrecision(5).replace("-", "−");
+    return grouped(value.toPrecision(5));
   }
 
-  function small(words) {
+  // as the server's `written`: no exponent where plain digits say as much
+  function grouped(text) {
+    const [mantissa, power] = (Math.abs(Number(text)) < 1e9 && text.includes("e+") ? String(Number(text)) : text).split("e");
+    const [whole, part] = mantissa.split(".");
+    const spaced = Math.abs(Number(mantissa)) < 1e4 ? whole : whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
+    const raised = power === undefined ? "" : ` × 10${[...String(Number(power))].map((one) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(one)]).join("")}`;
+    return `${spaced}${part ? `.${part}` : ""}${raised}`.replace("-", "−");
+  }
+  page.written = (value, digits = 4) => grouped(String(Number(value.toPrecision(digits))));
+
+  function small(words, kind = "") {
     const made = document.createElement("small");
+    made.className = kind;
     made.textContent = words;
     return made;
   }
 
-  // in SI loads are in N, frequencies in Hz, and a growing whirl's growth per second
-  function showNumbersInSI(numbers) {
+  const grows = (imaginary) => Math.abs(imaginary) > 1e-9;
+  const word = (imaginary) => (imaginary < 0 ? "grows" : "decays");
+
+  // in SI loads are in N or kN, frequencies in Hz, and a growing whirl's growth per second
+  function showNumbersInSI({ numbers, load_unit }) {
     for (const place of document.querySelectorAll("[data-number]")) {
       const value = numbers[place.dataset.number];
       place.textContent = number(value);
-      if (value !== null) place.append(small(place.dataset.number === "fundamental" ? " Hz" : " N"));
+      if (value !== null) place.append(small(place.dataset.number === "fundamental" ? " Hz" : ` ${load_unit}`));
     }
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
       place.replaceChildren(number(real), small(" Hz"));
-      if (Math.abs(imaginary) > 1e-9) place.append(small(` ${imaginary < 0 ? "grows" : "decays"} ${Math.abs(imaginary).toPrecision(3)}/s`));
+      if (grows(imaginary)) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
     }
   }
 
@@ -97,14 +121,45 @@ window.rotorstab = (() => {
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
       place.textContent = number(real);
-      if (Math.abs(imaginary) > 1e-9) {
-        const extra = document.createElement("small");
-        extra.className = "complex";
-        extra.textContent = ` ${imaginary < 0 ? "grows" : "decays"} ${number(Math.abs(imaginary))}`;
-        place.append(extra);
-      }
+      if (grows(imaginary)) place.append(small(` ${word(imaginary)} ${number(Math.abs(imaginary))}`, "complex"));
     }
+    root.dataset.complex = String(Object.values(numbers.whirl).some(([, imaginary]) => grows(imaginary)));
     page.rigid = numbers.rigid;
+  }
+
+  // -- a place whose words change keeps the largest height it had at this width ----------
+  function steady(place) {
+    const { width } = place.getBoundingClientRect();
+    if (!width) return;
+    if (place.dataset.width !== String(width)) {
+      place.style.minHeight = "";
+      place.dataset.width = String(width);
+    }
+    place.style.minHeight = `${Math.max(parseFloat(place.style.minHeight) || 0, place.getBoundingClientRect().height)}px`;
+  }
+  page.steady = steady;
+
+  // -- layers of the instability chart: the legend mutes what is off, and switches it ----
+  const LAYERS = { show_growth: "the map of growth", show_bolotin: "Bolotin regions", show_disagreement: "the shading of disagreement" };
+  function showLayers(values) {
+    for (const name of Object.keys(LAYERS)) root.dataset[name] = String(values[name]);
+    for (const entry of document.querySelectorAll("[data-layer]")) {
+      const on = values[entry.dataset.layer];
+      entry.classList.toggle("off", !on);
+      entry.querySelector("button")?.setAttribute("aria-pressed", String(on));
+    }
+    // the verdict speaks of them all the same
+    const off = Object.keys(LAYERS).filter((name) => !values[name]).map((name) => LAYERS[name]);
+    const words = document.querySelector("[data-hidden-layers]");
+    words.hidden = !off.length;
+    const last = off.pop();
+    words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. Switch on in the legend or under Charts.` : "";
+  }
+
+  function showGrowthUnit({ growth_unit, units }) {
+    const unit = document.querySelector("[data-growth-unit]");
+    if (units === "SI") unit.textContent = growth_unit === "per period" ? "σT" : "σ [1/s]";
+    else unit.textContent = growth_unit === "per period" ? "σ̄T" : "σ̄";
   }
 
   function showErrors(rows) {
@@ -154,12 +209,16 @@ window.rotorstab = (() => {
 
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
-    if (data.si) showNumbersInSI(data.si.numbers);
+    if (data.si) showNumbersInSI(data.si);
     if (data.verdict) {
       const words = document.querySelector("[data-verdict]");
       // spoken only at rest: a moving slider would talk without end
       words.setAttribute("aria-live", data.settled ? "polite" : "off");
-      if (page.verdict !== data.verdict) words.replaceChildren(...rich(data.verdict));
+      if (page.verdict !== data.verdict) {
+        words.replaceChildren(...rich(data.verdict));
+        document.querySelector("[data-verdict-room]").replaceChildren(...rich(data.verdict_room));
+        steady(words.parentElement);
+      }
       page.verdict = data.verdict;
     }
     if (data.errors_table) showErrors(data.errors_table);
@@ -181,15 +240,8 @@ window.rotorstab = (() => {
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));
-    for (const name of ["show_growth", "show_bolotin", "show_disagreement"]) root.dataset[name] = String(data.values[name]);
-    // the verdict speaks of them all the same
-    const off = [["show_growth", "The map of growth is"], ["show_bolotin", "Bolotin regions are"]].filter(([name]) => !data.values[name]);
-    const layers = document.querySelector("[data-hidden-layers]");
-    layers.hidden = !off.length;
-    layers.textContent = off.map(([, words]) => `${words} hidden: switch on under Charts.`).join(" ");
-    const unit = document.querySelector("[data-growth-unit]");
-    const si = data.values.units === "SI";
-    unit.textContent = data.values.growth_unit === "per period" ? (si ? "σT" : "σ̄T") : (si ? "σ [1/s]" : "σ̄");
+    showLayers(data.values);
+    showGrowthUnit(data.values);
     page.last = data;
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one
@@ -238,6 +290,12 @@ window.rotorstab = (() => {
       try { await navigator.clipboard.writeText(location.href); tell("The link is on the clipboard."); }
       catch { prompt("Copy this link:", location.href); }
     });
+    for (const entry of document.querySelectorAll("[data-layer]")) {
+      const name = entry.dataset.layer;
+      entry.querySelector("button")?.addEventListener("click", () => page.change(name, root.dataset[name] !== "true"));
+    }
+    showLayers(Object.fromEntries(Object.keys(LAYERS).map((name) => [name, root.dataset[name] !== "false"])));
+    showGrowthUnit(root.dataset);
     const dialog = document.querySelector("dialog.code");
     document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
     document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: location.origin + location.pathname }));

@@ -95,7 +95,7 @@ window.rotorstab.shaft = (() => {
     arrow(pen, tip + 9 * Math.cos(tilt), y + 9 * Math.sin(tilt), tilt, 86 * load / largest, accent);
     pen.fillStyle = soft; pen.font = "12px system-ui, sans-serif";
     const [symbol, unit] = data.load;
-    pen.fillText(`load ${symbol} = ${(unit ? String(Number(load.toPrecision(4))) : load.toFixed(2)).replace("-", "−")}${unit}`, 40, 16);
+    pen.fillText(`load ${symbol} = ${unit ? page.written(load) : load.toFixed(2).replace("-", "−")}${unit}`, 40, 16);
     pen.textAlign = "right"; pen.fillText(`t/T = ${(now.time / data.period).toFixed(2)}`, width - 8, 16); pen.textAlign = "left";
     pen.fillText("plane of V", 40, height - 6);
   }
@@ -133,15 +133,13 @@ window.rotorstab.shaft = (() => {
     if (!frame) describe(now);
   }
 
-  function size(value) { return value >= 1e4 || value < 1e-2 ? value.toExponential(1).replace("e+", " × 10^") : Number(value.toPrecision(3)).toString(); }
-
   function describe(now) {
     const words = document.querySelector('[data-shaft="words"]');
     const levelled = document.querySelector(".shaft-level").checked && Math.abs(data.growth) * data.dt * data.count > 0.02;
-    const scale = data.largest === null ? "" : ` = ${size(data.largest)} in the chart above`;
+    const scale = data.largest === null ? "" : ` = ${page.written(data.largest, 3)} in the chart above`;
     const follower = data.tangency === 1 ? "The load turns with the tip." : data.tangency === 0 ? "The load keeps its direction." : "The load turns with part of the tip’s slope.";
     words.textContent = levelled
-      ? `Not to scale: each moment is drawn as if the motion did not ${data.growth > 0 ? "grow" : "decay"}; e^σt over the stretch is ${size(Math.exp(Math.min(600, data.growth * data.dt * (data.count - 1))))}. ${follower}`
+      ? `Not to scale: each moment is drawn as if the motion did not ${data.growth > 0 ? "grow" : "decay"}, by a factor of ${page.written(Math.exp(Math.min(600, data.growth * data.dt * (data.count - 1))), 3)} over the stretch. ${follower}`
       : `Not to scale: the largest excursion of the stretch${scale} is drawn as 30 % of the height. ${follower}`;
     canvases.side.setAttribute("aria-label", `Side view of the shaft at t/T = ${(now.time / data.period).toFixed(2)}: tip at ${now.v.toFixed(2)} of the largest excursion. Space plays and pauses, arrow keys step.`);
     canvases.end.setAttribute("aria-label", `End view: disk centre at V ${now.v.toFixed(2)}, W ${now.w.toFixed(2)} of the largest excursion.`);

@@ -20,7 +20,7 @@ from ..rotor_file import read_rotor_file, write_rotor_file
 from ..share import MOST_PINS, PinnedInputs
 from ..state import SYMBOLS, State
 from ..units import displayed, shaft_words, shown_scales, si_answer
-from ..verdict import verdict
+from ..verdict import verdict, verdict_room
 from .base import FRAGMENTS, Page, Reply
 
 __all__ = ["Explore"]
@@ -56,7 +56,7 @@ class Explore(Page):
         """
         result = solve(state, settled)
         charts = marked(result.charts, state, result) if state.marker else result.charts
-        charts = ghosted(displayed(charts, state, result.numbers), self.pins)
+        charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
         if state.marker:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
@@ -168,6 +168,7 @@ class Explore(Page):
         answer = {
             "numbers": result.numbers,
             "verdict": verdict(result.floquet, shown_scales(state)),
+            "verdict_room": verdict_room(result.floquet, shown_scales(state)),
             "settled": settled is True,
             "inspector": None,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,

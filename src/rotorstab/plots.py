@@ -152,6 +152,8 @@ def _finish(plot: Any, _: Any) -> None:
     # the page's own ground shows through, light or dark
     figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
     for axis in figure.axis:
+        # plain digits as far as they fit
+        axis.formatter.update(power_limit_high=7)
         axis.update(
             axis_label_text_font_style="normal",
             axis_label_text_font_size="14px",

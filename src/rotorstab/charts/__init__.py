@@ -16,8 +16,10 @@ from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role, axis_symbol
 from .units import chart_factors, in_seconds, in_si
+from .written import LOAD_UNITS, load_unit, written
 
 __all__ = [
+    "LOAD_UNITS",
     "ROLES",
     "Chart",
     "GrowthGrid",
@@ -32,10 +34,12 @@ __all__ = [
     "in_si",
     "instability_chart",
     "load_frequency_chart",
+    "load_unit",
     "marker_layer",
     "multiplier_chart",
     "orbit_chart",
     "pair_layers",
     "response_chart",
     "stiffness_charts",
+    "written",
 ]

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..rotor import Scales
 from .structure import Chart, Layer
+from .written import LOAD_UNITS, load_unit, written
 
 __all__ = ["chart_factors", "in_seconds", "in_si"]
 
@@ -26,16 +27,19 @@ class _Axis:
     factor: float
 
 
-def _axes(scales: Scales, frequency: float, load: float) -> dict[str, tuple[_Axis, _Axis]]:
+def _axes(
+    scales: Scales, frequency: float, load: float, unit: str
+) -> dict[str, tuple[_Axis, _Axis]]:
     """Return both axes by a chart's key; `frequency` and `load` are what the ratios stand for."""
     hertz = scales.frequency / _TURN
+    force = scales.load / LOAD_UNITS[unit]
     whirl = _Axis("whirl frequency ω/2π [Hz]", hertz)
     return {
         "instability": (
             _Axis("excitation frequency θ/2π [Hz]", frequency * hertz),
-            _Axis("pulsating load P_t [N]", load * scales.load),
+            _Axis(f"pulsating load P_t [{unit}]", load * force),
         ),
-        "load-frequency": (_Axis("steady load P [N]", scales.load), whirl),
+        "load-frequency": (_Axis(f"steady load P [{unit}]", force), whirl),
         "campbell": (_Axis("spin speed Ω [rpm]", 60 * hertz), whirl),
     }
 
@@ -52,14 +56,19 @@ def chart_factors(
     scales, fundamental_frequency, reference_load
         As in `in_si`.
     """
-    axes = _axes(scales, fundamental_frequency, reference_load).get(key)
+    unit = load_unit(scales)
+    axes = _axes(scales, fundamental_frequency, reference_load, unit).get(key)
     return (1.0, 1.0) if axes is None else (axes[0].factor, axes[1].factor)
 
 
 def in_si(
-    chart: Chart, scales: Scales, fundamental_frequency: float, reference_load: float
+    chart: Chart,
+    scales: Scales,
+    fundamental_frequency: float,
+    reference_load: float,
+    unit: str | None = None,
 ) -> Chart:
-    """Return a chart with its axes in rpm, Hz and N.
+    """Return a chart with its axes in rpm, Hz and N, or what suits the shaft: kN, MN.
 
     Parameters
     ----------
@@ -71,6 +80,8 @@ def in_si(
         ω_n [√(EI/(ρAL⁴))], by which the instability chart divides θ̄.
     reference_load : float
         What β_d = 1 stands for [EI/L²].
+    unit : str, optional
+        Of loads, a key of `LOAD_UNITS`; `load_unit` of the shaft by default.
 
     Returns
     -------
@@ -78,12 +89,14 @@ def in_si(
         Growth becomes σ [1/s], unless it is per period; texts that name a load or a frequency
         name it in SI.
     """
-    axes = _axes(scales, fundamental_frequency, reference_load).get(chart.key)
+    unit = unit or load_unit(scales)
+    axes = _axes(scales, fundamental_frequency, reference_load, unit).get(chart.key)
     if axes is None or chart.units == "SI":
         return chart
     x, y = axes
     per_period = any(_per_period(layer) for layer in chart.layers)
-    convert = _Converter(x.factor, y.factor, 1.0 if per_period else scales.frequency, scales)
+    growth = 1.0 if per_period else scales.frequency
+    convert = _Converter(x.factor, y.factor, growth, scales, unit)
     return replace(
         chart,
         x_label=x.label,
@@ -136,6 +149,7 @@ class _Converter:
     y: float
     growth: float
     scales: Scales
+    unit: str
 
     def layer(self, layer: Layer) -> Layer:
         columns: dict[str, Any] = dict(layer.columns)
@@ -151,7 +165,7 @@ class _Converter:
             columns[ys] = np.asarray(columns[ys]) * self.y
         if layer.kind != "labels":
             columns["name"] = [
-                _name(name, np.atleast_1d(x), np.atleast_1d(y))
+                _name(name, np.atleast_1d(x), np.atleast_1d(y), self.unit)
                 for name, x, y in zip(columns["name"], columns[xs], columns[ys], strict=True)
             ]
         return replace(layer, columns=columns)
@@ -173,21 +187,17 @@ _NUMBER = r"[−-]?\d[\d.]*(?:e[+−-]?\d+)?"
 _VALUE = re.compile(rf"(p̄₀|p̄|Ω̄|ω̄|θ̄) = {_NUMBER}(?: from {_NUMBER})?")
 
 
-def _name(name: str, x: np.ndarray, y: np.ndarray) -> str:
+def _name(name: str, x: np.ndarray, y: np.ndarray, unit: str) -> str:
     """Return a mark's text with its values in SI, taken from where the mark stands."""
 
     def value(found: re.Match[str]) -> str:
         symbol = found[1].replace("\u0304", "")
         if symbol.startswith("p"):
-            return f"{symbol.upper()} = {_shown(x[0])} N"
+            return f"{symbol.upper()} = {written(x[0], 5)} {unit}"
         if symbol == "Ω":
-            return f"Ω = {_shown(x[0])} rpm"
+            return f"Ω = {written(x[0], 5)} rpm"
         if symbol == "θ":  # the ruler
-            return f"θ/2π = {_shown(y[-1] - y[0])} Hz from {_shown(y[0])} Hz"
-        return f"ω/2π = {_shown(y[0])} Hz"
+            return f"θ/2π = {written(y[-1] - y[0], 5)} Hz from {written(y[0], 5)} Hz"
+        return f"ω/2π = {written(y[0], 5)} Hz"
 
     return _VALUE.sub(value, name).replace("ω̄ = ", "ω = ").replace("Ω̄", "Ω")
-
-
-def _shown(value: float) -> str:
-    return f"{value:.5g}".replace("-", "−")
