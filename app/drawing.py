@@ -65,6 +65,8 @@ def _drawn(kind: _Kind) -> tuple[Any, Drawing]:
         chart=kind.chart,
     )
     drawing.figure.name = kind.key
+    for label, renderer in drawing.renderers.items():
+        renderer.name = label  # by which the browser finds it
     for source in drawing.sources.values():
         source.data = {}
     return Serializer().serialize(drawing.figure), drawing

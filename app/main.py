@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from contextlib import nullcontext
 from pathlib import Path
+from types import MappingProxyType
 
 import panel as pn
 from bokeh.models import CustomJS
@@ -28,6 +30,8 @@ LEGENDS = {
     "coefficients": ("exact", "linear"),
     "errors": ("k11", "k22", "level"),
 }
+# the switch of a stroke's layer, which is muted in the legend while that is off
+SWITCHED = {"backward": "show_bolotin", "forward": "show_bolotin", "edge": "show_growth"}
 
 
 def meaning(role: Role) -> Markup | str:
@@ -39,17 +43,24 @@ def meaning(role: Role) -> Markup | str:
     return texts.format(role.meaning, plain)
 
 
-def legend(roles: tuple[str, ...]) -> Markup:
-    """Return an HTML legend whose strokes are those of the chart."""
+def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyType({})) -> Markup:
+    """Return an HTML legend whose strokes are those of the chart.
+
+    `switched` names the switch of a role, where it has one.
+    """
     entries = []
     for name in roles:
         role = ROLES[name]
         entries.append(
             Markup(
-                '<li><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
+                '<li{}><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
                 'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
             ).format(
-                role.color, role.width, "" if role.dash == "solid" else role.dash, meaning(role)
+                Markup(' data-layer="{}"').format(switched[name]) if name in switched else "",
+                role.color,
+                role.width,
+                "" if role.dash == "solid" else role.dash,
+                meaning(role),
             )
         )
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
@@ -94,13 +105,19 @@ def build() -> pn.Template:
     """Return a page of its own session."""
     template = pn.Template(LAYOUT)
     template.title = "rotorstab"
-    for name, root in Session(pn.state.session_args).roots().items():
+    session = Session(pn.state.session_args)
+    for name, root in session.roots().items():
         template.add_panel(name, root)
     template.add_variable("style", Markup("\n".join(map(asset, STYLES))))
     template.add_variable("scripts", [Markup(asset(name)) for name in SCRIPTS])
     template.add_variable("lessons", cards())
-    template.add_variable("legends", {key: legend(roles) for key, roles in LEGENDS.items()})
+    legends = {
+        key: legend(roles, SWITCHED if key == "instability" else {})
+        for key, roles in LEGENDS.items()
+    }
+    template.add_variable("legends", legends)
     template.add_variable("download", download)
+    template.add_variable("first", session.first)
     if pn.state.curdoc is not None:
         pn.state.curdoc.js_on_event(
             "connection_lost", CustomJS(code="window.rotorstab.connectionLost()")

@@ -73,7 +73,15 @@ class Session:
         self.notice = ""
         self.settling = Settling(self._show_better)
         self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
-        self.redraw()
+        # what the first paint looks like and keeps room for, so that the first answer moves nothing
+        looks = ("units", "growth_unit", "show_growth", "show_bolotin", "show_disagreement")
+        found = self.redraw()
+        whirl = found["numbers"]["whirl"].values() if found else ()
+        self.first = {
+            "words": found.get("verdict_room", ""),
+            "looks": {name: getattr(self.state, name) for name in looks}
+            | {"complex": any(abs(imaginary) > 1e-9 for _, imaginary in whirl)},
+        }
 
     def roots(self) -> dict[str, Any]:
         """Return everything the template embeds."""

@@ -75,3 +75,82 @@ def test_nothing_of_the_old_step_acts_while_the_new_one_is_under_way(open_page):
     assert page.locator(".lesson").get_attribute("aria-busy") == "true"
     assert page.locator('[data-lesson="form"]').evaluate("one => one.parentNode.inert")
     assert page.locator(".lesson-foot").evaluate("one => one.inert")
+
+
+LEAKS = """() => {
+  const open = (one) => one.checkVisibility({ visibilityProperty: true });
+  const figure = [...Bokeh.documents[0].roots()].flatMap((top) => [...top.references()])
+    .find((one) => one.type === "Figure" && one.name === "instability");
+  const names = figure.renderers.find((one) => one.name === "tongue");
+  const words = "[data-verdict], [data-inspector], .pins table, [data-hidden-layers]";
+  return {
+    words: [...document.querySelectorAll(words)].filter(open).map((one) => one.textContent),
+    asked: [...document.querySelectorAll("dd[data-number], dd[data-whirl]")].filter(
+      (one) => !open(one)).map((one) => one.dataset.number || one.dataset.whirl),
+    names: names.visible && names.glyph.text_alpha.value > 0,
+    hover: figure.toolbar.tools.some((one) => one.type === "HoverTool" && one.active),
+  };
+}"""
+
+
+def test_no_step_of_any_lesson_gives_its_answer_away(open_page):
+    page = open_page(path="/app#lesson/01-parametric-resonance/1")
+    shown = {"buckling", "flutter", "fundamental"}
+    for key, lesson in library().lessons.items():
+        for number, step in enumerate(lesson.steps, 1):
+            page.evaluate("(hash) => { location.hash = hash; }", f"lesson/{key}/{number}")
+            page.wait_for_function(
+                "(title) => document.querySelector('[data-lesson=heading]').innerHTML === title"
+                " && document.querySelector('.lesson').getAttribute('aria-busy') === 'false'"
+                " && Bokeh.documents[0].is_idle",
+                arg=step.title,
+            )
+            if step.question.kind == "goal":
+                continue
+            page.wait_for_function("rotorstab.veiled")
+            found = page.evaluate(LEAKS)
+            where = key, number, found
+            assert found["words"] == [], where
+            assert not found["names"], where
+            assert not found["hover"], where
+            told = [one.name for one in step.question.answer.terms] if step.question.answer else []
+            hidden = {one.removeprefix("whirl.") for one in told} - {
+                one.removeprefix("whirl.") for one in step.given
+            }
+            assert set(found["asked"]) == hidden & (shown | {"1B", "1F", "2B", "2F"}), where
+
+
+def test_names_return_with_the_answer_and_when_the_lesson_is_left(open_page):
+    page = open_page(path="/app#lesson/06-axial-and-follower/3")
+    at_step(page, 3)
+    page.wait_for_function("rotorstab.veiled")
+    assert not page.evaluate(LEAKS)["names"]
+    page.locator(".lesson-choice input").first.check()
+    page.get_by_role("button", name="Check").click()
+    page.locator(".lesson-words.right").wait_for()
+    page.wait_for_function("!rotorstab.veiled")
+    found = page.evaluate(LEAKS)
+    assert found["names"]
+    assert found["hover"]
+    assert found["words"]
+    page.evaluate("location.hash = 'lesson/06-axial-and-follower/5'")
+    at_step(page, 5)
+    page.wait_for_function("rotorstab.veiled")
+    page.get_by_role("button", name="Leave the lesson").click()
+    page.wait_for_function("!rotorstab.veiled")
+    assert page.evaluate(LEAKS)["names"]
+
+
+def test_a_place_is_not_read_off_the_map_before_it_is_computed():
+    """Where a tongue's place is asked for, no map shows that very place."""
+    for key, lesson in library().lessons.items():
+        for step in lesson.steps:
+            answer = step.question.answer
+            if answer is None or not any(one.name.endswith(".centre") for one in answer.terms):
+                continue
+            moved = {
+                name
+                for name, value in step.after.items()
+                if value != step.before[name] and not name.startswith(("show_", "marker"))
+            }
+            assert moved or not step.before["show_growth"], (key, step.title)

@@ -163,6 +163,7 @@ window.rotorstab.lessons = (() => {
       return { ...old, at: step, steps: { ...old.steps, [step]: now } };
     });
     reveal();
+    stand();
   }
 
   function say(words, kind) {
@@ -179,7 +180,7 @@ window.rotorstab.lessons = (() => {
     place("try-part").hidden = !state && kind !== "goal";
     place("see-part").hidden = !passed(state);
     place("show").hidden = passed(state) || !state;
-    document.querySelector("main").classList.toggle("predicting", !state && kind !== "goal");
+    veil(!state && kind !== "goal");
     place("back").disabled = step === 0;
     const last = step === titles.length - 1;
     const forward = place("next");
@@ -194,6 +195,18 @@ window.rotorstab.lessons = (() => {
     }));
   }
 
+  // what would tell the answer waits for the prediction
+  let predicting = false;
+  function veil(on) {
+    predicting = on;
+    document.querySelector("main").classList.toggle("predicting", on);
+    const asked = new Set(on && running ? running.asked : []);
+    for (const number of document.querySelectorAll("[data-number], [data-whirl]")) {
+      const name = number.dataset.number || `whirl.${number.dataset.whirl}`;
+      number.parentElement.classList.toggle("asked", asked.has(name));
+    }
+  }
+
   const card = (name) => document.getElementById(CHARTS[name])?.closest(".card");
 
   function stand() {
@@ -201,7 +214,11 @@ window.rotorstab.lessons = (() => {
     panel().hidden = !here;
     page.mark();
     document.querySelector("main").classList.toggle("teaching", Boolean(here));
-    for (const name of Object.keys(CHARTS)) if (name !== "inspector") card(name)?.classList.toggle("looked", Boolean(here) && running.look.includes(name));
+    for (const name of Object.keys(CHARTS)) {
+      card(name)?.classList.toggle(name === "inspector" ? "shown" : "looked", Boolean(here) && running.look.includes(name));
+    }
+    const veiled = Boolean(here) && predicting;
+    if (page.veiled !== veiled) { page.veiled = veiled; page.paintCharts(); }
     return here;
   }
 
@@ -301,7 +318,7 @@ window.rotorstab.lessons = (() => {
     document.querySelector(".lesson-forget").addEventListener("click", () => {
       try { localStorage.removeItem(STORE); } catch { /* private window */ }
       list();
-      if (running) reveal();
+      if (running) { reveal(); stand(); }
     });
     // a lesson's link chosen again, from the list, while it runs
     for (const link of document.querySelectorAll('a[href^="#lesson/"]')) {

@@ -64,6 +64,12 @@ def _now(name: str, inputs: Mapping[str, Any]) -> str:
     return number_text(value if abs(value) > 1e-9 else 0.0)
 
 
+def _asked(step: Step) -> list[str]:
+    """Return the quantities that a number is asked of; the key numbers would tell them."""
+    answer = step.question.answer
+    return [one.name for one in answer.terms if one.name not in step.given] if answer else []
+
+
 def describe(lesson: Lesson, index: int) -> dict[str, Any]:
     """Return one step as plain values for the browser, its answer left out."""
     step = lesson.steps[index]
@@ -89,6 +95,7 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
         "see": step.see,
         "look": list(step.look),
         "move": [field(name) for name in step.move],
+        "asked": _asked(step),
         "given": [[name, _label(name)] for name in step.given],
         "watch": [[name, _label(name)] for name in step.watch],
     }
