@@ -4,7 +4,8 @@ import json
 import math
 from urllib.parse import quote
 
-from app.share import _KEYS
+from app.lessons import library
+from app.share import _KEYS, _PIN_KEYS, PINNED
 from app.state import PRESETS, State
 from tests.wire import changed, custom
 
@@ -112,9 +113,26 @@ def message(rng):
     """A message to the page's component, of a known or an unknown kind."""
     kind = rng.choice(KINDS) if rng.random() < 0.9 else value(rng)
     found = {"type": kind}
-    for name in ("name", "values", "number", "format", "chart", "label", "text", "floquet"):
+    for name in (
+        "name",
+        "values",
+        "number",
+        "format",
+        "chart",
+        "label",
+        "text",
+        "floquet",
+        "lesson",
+        "step",
+        "keep",
+        "value",
+    ):
         if rng.random() < 0.3:
             found[name] = value(rng)
+    # lessons that exist, so that their steps, answers and ends are reached as well
+    if kind == "lesson" and rng.random() < 0.8:
+        found["lesson"] = rng.choice(list(library().lessons))
+        found["step"] = rng.choice([*range(6), value(rng)])
     if kind == "change" or rng.random() < 0.1:
         found["values"] = values(rng, rng.randrange(1, 6))
     if kind == "preset" and rng.random() < 0.5:
@@ -124,8 +142,23 @@ def message(rng):
     return found
 
 
+def pin(rng):
+    """A pin of an address: parts that are good, hostile or near a bound, and a name."""
+    parts = []
+    for _ in range(rng.randrange(4)):
+        name = rng.choice(PINNED)
+        one = near(rng, name) if rng.random() < 0.7 else value(rng)
+        try:
+            text = str(one)[: rng.choice([20, 100])]
+        except ValueError:
+            text = "9" * 5000
+        parts.append(f"{_KEYS[name] if rng.random() < 0.9 else 'x'}_{text}")
+    name = rng.choice([*TEXTS, "slow", "a" * 2000])
+    return "~".join(parts) + rng.choice(["~~", "~~", "~~", "~", ""]) + name
+
+
 def query(rng):
-    """A query of known and unknown keys."""
+    """A query of known and unknown keys, with pins."""
     pairs = []
     for _ in range(rng.randrange(1, 12)):
         key = rng.choice([*_KEYS.values(), "v", "x", "bokeh-session-id"])
@@ -135,6 +168,8 @@ def query(rng):
         except ValueError:  # an integer of thousands of digits
             text = "9" * 5000
         pairs.append(f"{key}={quote(text, errors='replace')}")
+    for key in rng.sample([*_PIN_KEYS, "p0", "p4"], rng.randrange(4)):
+        pairs += [f"{key}={quote(pin(rng), errors='replace')}"] * rng.choice([1, 1, 1, 2])
     return "&".join(pairs)
 
 

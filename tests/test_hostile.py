@@ -15,7 +15,7 @@ from app import analysis
 from app.inspector import inspect
 from app.rotor_file import read_rotor_file, write_rotor_file
 from app.session import Session
-from app.share import from_arguments
+from app.share import from_arguments, pins_from_arguments
 from app.state import State
 from app.verdict import verdict
 from rotorstab import BASE_CASE, lumped, stability_chart, whirl_frequencies, window
@@ -121,19 +121,35 @@ def test_hostile_messages_never_reach_the_solver(session):
 
 def test_hostile_queries_never_reach_the_solver(session):
     rng = random.Random(SEED + 2)
-    for _ in range(150):
+    taken = refused_pins = 0
+    for number in range(150):
         arguments = parse_qs(hostile.query(rng), keep_blank_values=True, errors="replace")
-        values, doubtful = from_arguments(
-            {
-                key: [one.encode("utf-8", "replace") for one in texts]
-                for key, texts in arguments.items()
-            }
-        )
+        given = {
+            key: [one.encode("utf-8", "replace") for one in texts]
+            for key, texts in arguments.items()
+        }
+        values, doubtful = from_arguments(given)
         state = State()
         refused = state.change(values)
         in_bounds(state)
+        pins, bad = pins_from_arguments(given, state.inputs())
+        assert len(pins) + len(bad) == sum(key in given for key in ("p1", "p2", "p3"))
+        for one in pins:
+            kept = State()
+            assert kept.change(one.inputs) == {}
+            in_bounds(kept)
+            assert one.name.isprintable()
+            assert len(one.name) <= 24
+        # solving is dear: some of them, through a session of that address
+        if pins and number % 15 == 0:
+            answer = Session(given).respond({"type": "hello"})
+            json.dumps(answer, allow_nan=False)
+        taken += len(pins)
+        refused_pins += len(bad)
         assert all(len(key) <= 20 for key in doubtful)
-        assert all(len(one) < 200 for one in refused.values())
+        assert all(len(one) < 200 for one in [*refused.values(), *bad])
+    assert taken > 10
+    assert refused_pins > 10  # the stream holds both sorts
 
 
 def test_hostile_rotor_files_never_reach_the_solver(session):
