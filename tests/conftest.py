@@ -1,5 +1,6 @@
 """One server and one browser for all tests that look at the real page."""
 
+from collections import Counter
 from urllib.parse import urlsplit
 
 import pytest
@@ -11,6 +12,12 @@ from tests.serving import Server
 # no test asserts a time, and machines of a CI are slow and shared
 settings.register_profile("shared", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("shared")
+
+
+def pytest_collection_modifyitems(items):
+    """Put the long files first: the last file of two workers is waited for by one."""
+    pages = Counter(item.path for item in items if "browser" in getattr(item, "fixturenames", ()))
+    items.sort(key=lambda item: -pages[item.path])
 
 
 @pytest.fixture(scope="session")

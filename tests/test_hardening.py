@@ -448,5 +448,12 @@ def test_a_sender_of_dear_messages_leaves_the_thread_to_others(monkeypatch):
     assert waits == [0] * 5
     asyncio.run(paced(other, ""))
     asyncio.run(paced(dear, ""))
-    # 0.02 s of work at a share of 0.05 are earned in 0.4 s, and nothing is owed from before
+    # what was used while alone is owed as well
     assert 0.02 / limits.SHARE <= waits[-1] < limits.LONGEST_TURN
+
+    async def idle(socket, fragment):
+        pass
+
+    # the other fragments of a message cost nothing: one wait a message, not one for each
+    asyncio.run(limits.paced(dear, "", handle=idle))
+    assert waits[-1] == 0

@@ -21,6 +21,7 @@ PATIENCE = 15.0  # s above the rate, then the socket is closed
 SHARE, CREDIT = 0.25, 10.0
 ACTIVE = 2.0  # s since the last message
 LONGEST_TURN = 2.0  # s to wait between two messages
+CHEAP = 1e-3  # s of the thread: a message comes in fragments, only the last of which is work
 REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
 FRAGMENTS = 3  # of one message
 LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
@@ -100,8 +101,10 @@ async def paced(self, fragment, handle=on_message):
     began = time.thread_time()
     await handle(self, fragment)
     used = time.thread_time() - began
+    debt = self.work.wait(used)
+    held = others_wait(self) and used > CHEAP
     # at least one turn of the loop: what was read in one go would be handled in one go
-    await asyncio.sleep(min(self.work.wait(used), LONGEST_TURN) if others_wait(self) else 0)
+    await asyncio.sleep(min(debt, LONGEST_TURN) if held else 0)
 
 
 @functools.wraps(on_close)
