@@ -119,3 +119,34 @@ def test_what_is_hidden_is_told_in_one_sentence(open_page):
     # the strokes of a hidden layer are muted with it
     muted = page.locator("[aria-labelledby=instability-title] .legend li.off")
     assert muted.count() == 7
+
+
+def test_words_on_the_white_picture_can_be_read_in_the_dark(open_page):
+    page = open_page(color_scheme="dark", path="/app#paper")
+    page.wait_for_function("rotorstab.last.page === 'paper'")
+    colours = page.evaluate(
+        """() => {
+          const words = document.createElement("p");
+          words.className = "sub";
+          document.querySelector(".picture").append(words);
+          return [words, words.parentElement].map((one) => getComputedStyle(one).color);
+        }"""
+    )
+    assert colours[0] == colours[1]
+
+
+def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
+    page = open_page(390, 900, path="/app?v=1&u=SI&p1=spin_1~~slow&p2=md_8~~heavy&p3=as_0.4~~c")
+    page.locator(".pin-table td").first.wait_for(state="visible")
+    lines = page.evaluate(
+        """() => [...document.querySelectorAll(".pin-table td")].map((cell) => {
+          const range = document.createRange();
+          range.selectNodeContents(cell);
+          return new Set([...range.getClientRects()].map((one) => Math.round(one.top))).size;
+        })"""
+    )
+    assert lines
+    assert set(lines) == {1}
+    full = page.locator("[data-pin-full]")
+    assert full.inner_text() == "All places are taken: remove a pin first."
+    assert page.locator(".pin-add").is_disabled()
