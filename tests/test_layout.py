@@ -150,3 +150,11 @@ def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     full = page.locator("[data-pin-full]")
     assert full.inner_text() == "All places are taken: remove a pin first."
     assert page.locator(".pin-add").is_disabled()
+
+
+def test_a_chart_beside_a_lesson_keeps_its_tools(open_page):
+    page = open_page(1440, 900, path="/app#lesson/04-gyroscope/3")
+    page.wait_for_function("rotorstab.lessons.running")
+    tools = page.locator("[aria-labelledby=instability-title] .bk-Toolbar .bk-tool-icon")
+    tools.nth(4).wait_for(state="visible")  # Playwright looks into shadow roots
+    assert page.locator("[aria-labelledby=instability-title] .bk-tool-overflow").count() == 0

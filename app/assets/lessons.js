@@ -196,7 +196,7 @@ window.rotorstab.lessons = (() => {
   }
 
   // what would tell the answer waits for the prediction
-  let predicting = false;
+  let predicting = false, laid = "";
   function veil(on) {
     predicting = on;
     document.querySelector("main").classList.toggle("predicting", on);
@@ -217,6 +217,8 @@ window.rotorstab.lessons = (() => {
     for (const name of Object.keys(CHARTS)) {
       card(name)?.classList.toggle(name === "inspector" ? "shown" : "looked", Boolean(here) && running.look.includes(name));
     }
+    const looked = here ? running.look.join() : "";
+    if (looked !== laid) { laid = looked; setTimeout(page.relayout, 400); }
     const veiled = Boolean(here) && predicting;
     if (page.veiled !== veiled) { page.veiled = veiled; page.paintCharts(); }
     return here;

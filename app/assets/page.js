@@ -53,6 +53,15 @@ window.rotorstab = (() => {
 
   page.paintCharts = paintCharts;
 
+  // a chart whose place took another width while it was made folds its tools away
+  page.relayout = () => {
+    const walk = (view) => {
+      if (view.model.type === "Figure") view.invalidate_layout();
+      for (const child of view.children()) walk(child);
+    };
+    for (const view of Bokeh.index) walk(view);
+  };
+
   function setTheme(name, keep) {
     root.dataset.theme = name;
     const button = document.querySelector("button.theme");
