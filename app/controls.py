@@ -13,6 +13,9 @@ from typing import Any, ClassVar
 
 import panel as pn
 import param
+from bokeh.document import Document
+from bokeh.events import Event
+from panel.io.state import set_curdoc
 
 from .state import PRESETS, SI_INPUTS, SYMBOLS, State
 from .telemetry import observe
@@ -120,6 +123,11 @@ class Controls(pn.custom.JSComponent):
             answer = self._respond(data)
             self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
         observe("update", perf_counter() - began)
+
+    def _process_bokeh_event(self, doc: Document, event: Event) -> None:
+        """Do without Panel's busy indicator, which the page lacks: a tenth of a move."""
+        with set_curdoc(doc):
+            self._process_event(event)
 
     def tell(self, content: Mapping[str, Any]) -> None:
         """Send the browser something it did not wait for."""

@@ -13,7 +13,8 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from time import monotonic
 from types import ModuleType
 from typing import Any
 
@@ -42,10 +43,17 @@ def start_pool(niceness: int = 0) -> ProcessPoolExecutor:
     )
 
 
+CROWD = 3  # that many who are active at once are busy, for this long [s] after a message of theirs
+ACTIVE = 2.0
+PAUSE = 0.3  # s without a message in a crowd, after which nobody is held up
+PATIENCE = 3.0  # s; whoever has waited so long is served though a crowd is busy
+
+
 @dataclass
 class _Work:
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
+    requested: float = field(default_factory=monotonic)
     task: asyncio.Task[Any] | None = None
     wanted: int = 0
     begun: bool = False
@@ -53,6 +61,9 @@ class _Work:
 
 class Background:
     """One process of low priority for work that may wait; equal work is done once.
+
+    A low priority is not enough: cores share their caches and more, and while a class moves its
+    sliders most of what it asks for is dropped soon. So in a crowd work waits for a pause.
 
     All calls come from the server's own loop, so nothing is locked.
     """
@@ -62,6 +73,19 @@ class Background:
         self._pool: ProcessPoolExecutor | None = None
         self._turn = asyncio.Lock()
         self._works: dict[Any, _Work] = {}
+        self._active: dict[Any, float] = {}
+
+    def touch(self, who: Any) -> None:
+        """Note that a message of somebody is being answered."""
+        self._active.pop(who, None)
+        self._active[who] = monotonic()  # the latest is the last
+
+    def _busy_until(self) -> float:
+        """Return until when the server is busy with a crowd, if no more messages come."""
+        now = monotonic()
+        for who in [one for one, when in self._active.items() if now - when > ACTIVE]:
+            del self._active[who]
+        return [*self._active.values()][-1] + PAUSE if len(self._active) >= CROWD else 0.0
 
     def request(self, function: Callable[..., Any], *arguments: Any) -> asyncio.Task[Any]:
         """Return the task of a call; the arguments can be hashed and pickled.
@@ -94,11 +118,17 @@ class Background:
 
     async def _run(self, work: _Work) -> Any:
         async with self._turn:  # first come, first served
+            await self._pause(work.requested + PATIENCE)
             work.begun = True
             try:
                 return await self._call(work)
             finally:
                 self._forget(work)
+
+    async def _pause(self, latest: float) -> None:
+        """Wait until no crowd is busy, but no longer than to a time."""
+        while (now := monotonic()) < (until := min(latest, self._busy_until())):
+            await asyncio.sleep(until - now)
 
     async def _call(self, work: _Work) -> Any:
         for last in (False, True):

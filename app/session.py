@@ -22,6 +22,7 @@ from .growth import Detail
 from .pages import PAGES, Page
 from .pages.base import Reply
 from .printing import FORMATS, MIME, gather, printer
+from .processes import background
 from .report import page_address, report_html
 from .settling import Settling
 from .share import describe_problems, from_arguments, pins_from_arguments, to_query
@@ -73,6 +74,7 @@ class Session:
         self.notice = ""
         self.settling = Settling(self._show_better)
         self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
+        self._heard = False
         # what the first paint looks like and keeps room for, so that the first answer moves nothing
         looks = ("units", "growth_unit", "show_growth", "show_bolotin", "show_disagreement")
         found = self.redraw()
@@ -92,6 +94,7 @@ class Session:
 
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Act on one message and describe the state that follows."""
+        self._heard = True
         self._restore_pins()
         errors: dict[str, str] = {}
         reply = Reply()
@@ -100,7 +103,10 @@ class Session:
         message = {key: one for key, one in message.items() if isinstance(one, str | int | float)}
         kind, name = message.get("type"), message.get("name")
         if kind != "settle":
+            background.touch(id(self))
             self._shown = None
+        elif self._shown == (self.pages[self.active], False) and not self._detail():
+            return {"resting": True}  # all else was told; the full picture is being made
         if kind == "change" and isinstance(values, Mapping):
             errors = self.state.change(values)
         elif kind == "preset":
@@ -258,7 +264,12 @@ class Session:
             page.reset_view()
 
     def _show_better(self, detail: Detail) -> None:
-        """Show what was asked for and is there now: the full map, then its edges."""
+        """Show what was asked for and is there now: the full map, then its edges.
+
+        BokehJS drops what comes while it builds the page: the first message asks for all again.
+        """
+        if not self._heard:
+            return
         with pn.io.hold():
             answer = self._redraw(detail)
             self.controls.tell(answer | self._described({}))
@@ -269,9 +280,14 @@ class Session:
         A full picture that takes long is made elsewhere and shown when it is there; until
         then a coarse one is.
         """
-        window = self.pages[self.active].awaited(self.state) if settled else None
-        detail = self.settling.detail(window)
-        return self._redraw(detail if settled else False)
+        if settled:
+            return self._redraw(self._detail())
+        self.settling.drop()
+        return self._redraw(False)
+
+    def _detail(self) -> Detail:
+        """Return how much of the page's picture can be shown, and have the rest made."""
+        return self.settling.detail(self.pages[self.active].awaited(self.state))
 
     def _redraw(self, detail: Detail) -> dict[str, Any]:
         page = self.pages[self.active]

@@ -1,17 +1,24 @@
-"""Writing to a page that has just gone is no error.
+"""How messages are written to a page.
 
-Panel writes a message in parts and keeps their futures once all have begun. Where the socket
-closes in between, the first future is lost with its `WebSocketClosedError`, and asyncio logs a
-traceback for an error that nobody could handle. Here each such future is looked at.
+Arrays are sent within their message: a frame and a system call for each cost more than the third
+by which text is longer.
+
+Writing to a page that has just gone is no error. Panel writes a message in parts and keeps their
+futures once all have begun. Where the socket closes in between, the first future is lost with its
+`WebSocketClosedError`, and asyncio logs a traceback for an error that nobody could handle. Here
+each such future is looked at.
 """
 
 from __future__ import annotations
 
 import logging
 from asyncio import Future
-from functools import wraps
+from functools import partial, wraps
+from importlib import import_module
 from typing import Any
 
+from bokeh.core.serialization import Serializer
+from bokeh.settings import settings
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 __all__ = ["install"]
@@ -38,4 +45,8 @@ def _write_and_look(self: WebSocketHandler, *args: Any, **kwargs: Any) -> Future
 
 def install() -> None:
     """Look at every write of this process; calling it again changes nothing."""
+    import_module("bokeh.protocol.messages.patch_doc").Serializer = partial(  # type: ignore[attr-defined]
+        Serializer, deferred=False
+    )
+    settings.compression_level = 0  # the network of a lab is faster than gzip
     WebSocketHandler.write_message = _write_and_look

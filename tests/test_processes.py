@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from app.processes import Background
+from app.processes import ACTIVE, CROWD, PATIENCE, PAUSE, Background
 from tests.serving import run
 
 SERVER = """
@@ -54,6 +54,43 @@ def test_work_that_nobody_waits_for_is_dropped(background):
     assert isinstance(dropped, asyncio.CancelledError)
     assert isinstance(kept, int)
     assert again == os.getcwd()
+
+
+def test_in_a_crowd_work_waits_for_a_pause_but_not_for_ever(background, monkeypatch):
+    waits = []
+    clock = iter(range(0, 10_000))
+    now = [0.0]
+
+    async def sleep(seconds):
+        waits.append(seconds)
+        now[0] += seconds
+        if now[0] < busy:
+            background.touch(next(clock) % CROWD)
+
+    monkeypatch.setattr("app.processes.monotonic", lambda: now[0])
+    monkeypatch.setattr("app.processes.asyncio.sleep", sleep)
+
+    busy = 0.0
+    for _ in range(50):
+        background.touch("one")
+        background.touch("another")
+    run(background._pause(PATIENCE))
+    assert waits == []  # two are no crowd
+    for who in range(CROWD):
+        background.touch(who)
+    run(background._pause(PATIENCE))
+    assert sum(waits) == pytest.approx(PAUSE)
+    waits.clear()
+    busy = 1e9  # they never stop
+    background.touch(0)
+    start = now[0]
+    run(background._pause(start + PATIENCE))
+    assert now[0] - start == pytest.approx(PATIENCE)
+    busy = 0.0
+    now[0] += ACTIVE + 0.1  # all have left
+    waits.clear()
+    run(background._pause(now[0] + PATIENCE))
+    assert waits == []
 
 
 def test_a_killed_process_is_replaced(background):

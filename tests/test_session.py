@@ -266,6 +266,31 @@ def test_garbage_raises_nothing_and_loses_nothing(session, message):
     json.dumps(answer, allow_nan=False)
 
 
+def test_nothing_is_patched_before_the_browser_has_built_the_page(monkeypatch):
+    """BokehJS drops patches that come earlier, and the map would stay coarse for ever."""
+    session = Session({})
+    page, drawn = session.pages[session.active], []
+    monkeypatch.setattr(page, "show", lambda state, detail: drawn.append(detail))
+    monkeypatch.setattr(session.controls, "tell", drawn.append)
+    session._show_better("map")
+    session._show_better(True)
+    assert drawn == []
+    session.respond({"type": "hello"})
+    assert drawn == [True]
+
+
+def test_a_rest_whose_full_picture_is_being_made_repeats_nothing(session, monkeypatch):
+    change(session, shear=0.03)
+    monkeypatch.setattr(session.settling, "detail", lambda window: False)
+    page = session.pages[session.active]
+    monkeypatch.setattr(page, "show", lambda *given: pytest.fail("drawn again"))
+    assert session.respond({"type": "settle"}) == {"resting": True}
+    monkeypatch.undo()
+    answer = session.respond({"type": "settle"})
+    assert answer["settled"]
+    assert answer["values"]["shear"] == 0.03
+
+
 def test_a_picture_that_is_there_is_not_compared_again(session, monkeypatch):
     drawn = []
     page = session.pages[session.active]

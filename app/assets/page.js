@@ -241,6 +241,7 @@ window.rotorstab = (() => {
       if (!dialog.open) dialog.showModal();
     }
     if (data.told !== undefined) tell(data.told);
+    if (data.resting && !page.left) address(); // nothing else is new
     if (!data.values) return;
     query = data.query;
     // at rest: browsers refuse an address that changes with every frame
