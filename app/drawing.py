@@ -47,41 +47,37 @@ class _Kind:
 
 
 @lru_cache(maxsize=64)
-def _drawn(kind: _Kind) -> tuple[Any, Drawing]:
-    """Return a drawing as text of Bokeh's and itself, for the ids of its parts."""
+def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
+    """Return a figure in Bokeh's serial form, which layers have colours, and what was drawn."""
     layers = kind.chart.layers
     plot = _RENDERER.get_plot(plots.element(kind.chart))
     parts: list[dict[str, Any]] = [one.handles for one in plot.subplots.values()]
     named = [(layer, one) for layer, one in zip(layers, parts, strict=True)]
-    drawing = Drawing(
-        figure=plot.state,
-        sources={layer.label: one["source"] for layer, one in named},
-        renderers={layer.label: one["glyph_renderer"] for layer, one in named},
-        colours={
-            layer.label: one["color_mapper"]
-            for layer, one in named
-            if layer.kind == "map" and "color_mapper" in one
-        },
-        chart=kind.chart,
+    figure = plot.state
+    for layer, one in named:
+        renderer = one["glyph_renderer"]
+        renderer.name = layer.label  # by which the browser finds it
+        # nothing is ever selected or muted; each of these models is paid for with every page
+        renderer.update(selection_glyph="auto", nonselection_glyph="auto", muted_glyph="auto")
+        one["source"].data = {}
+    figure.name = kind.key
+    coloured = frozenset(
+        layer.label for layer, one in named if layer.kind == "map" and "color_mapper" in one
     )
-    drawing.figure.name = kind.key
-    for label, renderer in drawing.renderers.items():
-        renderer.name = label  # by which the browser finds it
-    for source in drawing.sources.values():
-        source.data = {}
-    return Serializer().serialize(drawing.figure), drawing
+    return Serializer().serialize(figure), coloured, kind.chart
 
 
 def draw(chart: Chart) -> Drawing:
     """Return a figure of its own for a chart, still without data."""
     layers = tuple((layer.kind, layer.label) for layer in chart.layers)
-    text, first = _drawn(_Kind(chart.key, chart.units, layers, chart))
+    kind = _Kind(chart.key, chart.units, layers, chart)
+    text, coloured, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
-    known = {model.id: model for model in figure.references()}
-
-    def own(parts: dict[str, Any]) -> dict[str, Any]:
-        return {label: known[part.id] for label, part in parts.items()}
-
+    renderers = {one.name: one for one in figure.renderers}
     return Drawing(
-        figure, own(first.sources), own(first.renderers), own(first.colours), first.chart
+        figure,
+        {label: one.data_source for label, one in renderers.items()},
+        renderers,
+        {label: renderers[label].glyph.color_mapper for label in coloured},
+        first,
     )
