@@ -218,7 +218,7 @@ def test_the_default_window_is_whole():
 
 
 @pytest.mark.parametrize(
-    "values", [{}, {"spin_speed": 4.0}, {"highest_frequency": 0.5}, {"model": "finite elements"}]
+    "values", [{}, {"spin_speed": 4.0}, {"highest_frequency": 4.0}, {"model": "finite elements"}]
 )
 def test_a_map_that_moves_leaves_at_most_a_tenth_of_the_columns_for_rest(values):
     state = State()

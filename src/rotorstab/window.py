@@ -44,8 +44,9 @@ _CLEAR = 0.95  # of the third mode's lowest resonance
 # cycles of the fastest whirl in one period of the load: on the growth map, on the tongues' edges
 MOST_CYCLES, EDGE_CYCLES = 1000, 60
 # while moving the slowest loads, a few columns that take as long as the rest, wait for rest
-MOVING_CYCLES, MOVING_SHARE = 20, 0.9
-# the same, summed over the map's columns: seconds of work at most; usual windows are whole
+MOVING_CYCLES, MOVING_SHARE, MOVING_WORK = 20, 0.9, 0.25
+# the same, summed over the map's columns: seconds of work at most, and while moving a share of
+# it; usual windows are whole
 MOST_WORK = {
     ("lumped", False): 5000,
     ("lumped", True): 2500,
@@ -134,11 +135,12 @@ def followed(
     cycles = _fastest(window) / frequencies
     order = np.argsort(cycles)
     kept = np.zeros(len(cycles), dtype=np.bool_)
-    most = MOST_WORK[model.kind, model != model.undamped()]
-    kept[order] = np.cumsum(cycles[order]) <= most
+    most = float(MOST_WORK[model.kind, model != model.undamped()])
     limit = float(MOST_CYCLES)
     if not settled:
+        most *= MOVING_WORK
         limit = min(limit, max(MOVING_CYCLES, float(np.quantile(cycles, MOVING_SHARE))))
+    kept[order] = np.cumsum(cycles[order]) <= most
     return kept & (cycles <= limit)
 
 
