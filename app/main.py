@@ -101,9 +101,17 @@ def download(key: str) -> Markup:
     ).format(key, options)
 
 
+class Whole(pn.Template):
+    """The whole page."""
+
+    def __repr__(self) -> str:
+        """Return a short name: Panel writes it anew for every part that is added."""
+        return "rotorstab"
+
+
 def build() -> pn.Template:
     """Return a page of its own session."""
-    template = pn.Template(LAYOUT)
+    template = Whole(LAYOUT)
     template.title = "rotorstab"
     session = Session(pn.state.session_args)
     for name, root in session.roots().items():
