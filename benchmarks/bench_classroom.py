@@ -107,11 +107,11 @@ async def slides(deployment, size, folder):
     )
     for name, found in (("all different", own), ("same lesson", same)):
         part = 100 * len(found.settled) / max(1, len(found.rested))
-        full = 1e3 * percentile(found.settled, 0.5)
+        full = f", p50 {1e3 * percentile(found.settled, 0.5):.0f} ms" if found.settled else ""
         yield Row(
             f"the full map at rest, {name}",
             "printed",
-            f"{part:.0f} % came before the next move, p50 {full:.0f} ms; the rest was superseded",
+            f"{part:.0f} % came before the next move{full}; the rest was superseded",
         )
     problems = [*own.errors, *same.errors]
     if problems:
