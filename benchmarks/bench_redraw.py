@@ -163,7 +163,7 @@ def report_redraws(times, full, cpu, bare, floor, own):
         milliseconds = ["{:.0f} / {:.0f}".format(*pair) for pair in (none, same, mine, last)]
         quotients = ["{:.2f} / {:.2f}".format(*pair) for pair in ratios]
         row(name, *milliseconds[:3], *quotients[:2], milliseconds[3], quotients[2])
-    print("(ms, median / p95; the full map is asked for 100 ms after the last event)")
+    print("(ms, median / p95; the full map is asked for 80 ms after the last event)")
     if all(cpu.values()):
         spent = [1e3 * cpu[tab] / len(pooled[tab]) for tab in (bare, floor, own)]
         words = "no map {:.1f} ms, the same arrays {:.1f} ms, dashboard {:.1f} ms"

@@ -2,7 +2,7 @@
 // only after the frame that answers the last ones was painted, so nothing is ever queued.
 
 const TIMEOUT = 2000;
-const REST = 100; // after this long without a change the full picture is asked for
+const REST = 80; // after this long without a change the full picture is asked for
 
 export function render({ model, el }) {
   const spec = model.spec;

@@ -19,7 +19,7 @@ from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 from tornado.websocket import websocket_connect
 
 PATIENCE = 60  # s until a user gives up; nothing is measured by it
-REST = 0.1  # s at rest after which controls.js asks for the full picture
+REST = 0.08  # s at rest after which controls.js asks for the full picture
 _TOKEN = re.compile(r'"token":"([^"]+)"')
 _PROTOCOL = Protocol()
 
