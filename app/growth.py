@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import replace
 from functools import lru_cache
-from typing import Any, Literal
+from typing import Literal
 
-from rotorstab.window import FloquetMap, Window, floquet_map, tongue_outlines
+from rotorstab.window import FloquetMap, Window, floquet_map, whole_map
 
 __all__ = ["Detail", "keep", "known_detail", "known_map"]
 
 Detail = Literal[False, "map", True]
-"""How fine a picture is: a coarse growth map, the full one, the full one with exact edges."""
+"""How fine a picture is: a coarse growth map, the full one, that with doubtful pixels refined and
+exact edges."""
 
 MOST_KEPT = 48
 
-_full_maps: OrderedDict[Window, FloquetMap] = OrderedDict()
-_edges: OrderedDict[Window, Any] = OrderedDict()
+_full: OrderedDict[Window, FloquetMap] = OrderedDict()
+_whole: OrderedDict[Window, FloquetMap] = OrderedDict()
 
 
 @lru_cache(maxsize=MOST_KEPT)
@@ -27,14 +27,14 @@ def _moving_map(window: Window) -> FloquetMap:
 
 def known_detail(window: Window) -> Detail:
     """Return how much of a window is there already."""
-    if window not in _full_maps:
-        return False
-    return True if window in _edges else "map"
+    if window in _whole:
+        return True
+    return "map" if window in _full else False
 
 
-def keep(window: Window, made: Any) -> None:
-    """Keep what a step has made, also in another process."""
-    store = _full_maps if isinstance(made, FloquetMap) else _edges
+def keep(window: Window, made: FloquetMap, whole: bool) -> None:
+    """Keep a full or a whole map, also one that another process has made."""
+    store = _whole if whole else _full
     store[window] = made
     while len(store) > MOST_KEPT:
         store.popitem(last=False)
@@ -44,12 +44,9 @@ def known_map(window: Window, detail: Detail) -> FloquetMap:
     """Return a map that is kept, or make and keep it."""
     if not detail:
         return _moving_map(window)
-    if window not in _full_maps:
-        keep(window, floquet_map(window, True))
-    _full_maps.move_to_end(window)
-    if detail == "map":
-        return _full_maps[window]
-    if window not in _edges:
-        keep(window, tongue_outlines(window))
-    _edges.move_to_end(window)
-    return replace(_full_maps[window], outlines=_edges[window])
+    whole = detail is True
+    store = _whole if whole else _full
+    if window not in store:
+        keep(window, whole_map(window) if whole else floquet_map(window, True), whole)
+    store.move_to_end(window)
+    return store[window]

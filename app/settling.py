@@ -11,7 +11,7 @@ from typing import Any
 import panel as pn
 from bokeh.document import Document
 
-from rotorstab.window import Window, floquet_map, tongue_outlines
+from rotorstab.window import Window, floquet_map, whole_map
 
 from .growth import Detail, keep, known_detail
 from .processes import background
@@ -23,12 +23,12 @@ def _next_step(window: Window) -> tuple[Any, ...] | None:
     """Return the function and arguments of what must be made next, None once all is there."""
     detail = known_detail(window)
     if detail == "map":
-        return tongue_outlines, window
+        return whole_map, window
     return None if detail else (floquet_map, window, True)
 
 
 class Settling:
-    """Asks for what a session waits for, first the map, then its edges; a newer one drops it.
+    """Asks for what a session waits for, first the map, then the rest of it; a newer one drops it.
 
     `show` is called on the server's loop when either is there, or could not be made elsewhere.
     """
@@ -65,14 +65,16 @@ class Settling:
         self._asked = _next_step(window)
         if self._asked is not None:
             task = background.request(*self._asked)
-            task.add_done_callback(partial(self._made, document, window))
+            task.add_done_callback(partial(self._made, document, window, self._asked))
 
-    def _made(self, document: Document, window: Window, task: asyncio.Task[Any]) -> None:
+    def _made(
+        self, document: Document, window: Window, asked: tuple[Any, ...], task: asyncio.Task[Any]
+    ) -> None:
         if task.cancelled():
             return
         failed = task.exception() is not None
         if not failed:
-            keep(window, task.result())
+            keep(window, task.result(), whole=asked[0] is whole_map)
         if window != self._awaited:
             return
         self._asked = None

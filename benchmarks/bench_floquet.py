@@ -16,7 +16,7 @@ from rotorstab.characteristic import self_inversive_multipliers
 from rotorstab.floquet import growth_rate
 from rotorstab.modal import state_matrix
 from rotorstab.stability import stability_chart
-from rotorstab.window import Model, Window, floquet_map, tongue_outlines
+from rotorstab.window import Model, Window, floquet_map, whole_map
 
 QUICK = "--quick" in sys.argv
 LOAD = float(critical_load(BASE_CASE.shear))
@@ -81,11 +81,12 @@ def dashboard():
         )
         moving = best(lambda w=window: floquet_map(w, False), 5)
         settled = best(lambda w=window: floquet_map(w, True), 3)
-        made = floquet_map(window, True)
-        edges = best(lambda w=window: tongue_outlines(w), 3)
+        made = whole_map(window)
+        whole = best(lambda w=window: whole_map(w), 3)
         line(f"page, moving: {name}", moving)
-        line(f"page, at rest: {name}", settled, f"{made.growth.refined} pixels refined")
-        line(f"page, edges: {name}", edges, f"{len(tongue_outlines(window))} pieces")
+        line(f"page, at rest: {name}", settled)
+        note = f"{made.growth.refined} pixels refined, {len(made.outlines)} pieces with edges"
+        line(f"page, then: {name}", whole, note)
 
 
 def line(what, seconds, note=""):

@@ -20,7 +20,7 @@ from rotorstab import (
 )
 from rotorstab.outlines import unstable_outlines
 from rotorstab.stiffness import largest_exact_load
-from rotorstab.window import Model, Window, _outlines
+from rotorstab.window import Model, Window, tongue_outlines
 
 WINDOW = P, 0.8 * W, 6 * W
 SYSTEMS = {
@@ -105,7 +105,7 @@ def test_a_larger_system_is_refused():
 def test_edges_of_finite_elements_are_those_of_their_first_modes():
     model = Model(BASE_CASE, "finite elements")
     window = Window(model, 2.0, 0.0, 0.5 * P, 0.8 * W, 40 * W, 0.5 * P)
-    pieces = _outlines(window)
+    pieces = tongue_outlines(window)
     piece = next(one for one in pieces if one.name == "1B+1F" and one.order == 1)
     load = piece.pulsating_loads[-1:]
     exact = tongue_edges(model.system(2.0, 0.0), 0.5 * P, load, ("1B+1F",))
@@ -118,8 +118,8 @@ def test_edges_of_finite_elements_are_those_of_their_first_modes():
 def test_damped_and_exact_models_have_edges_in_the_dashboard():
     for options in ({"external_damping": 0.01}, {"law": "exact"}):
         model = Model(BASE_CASE, **options)
-        assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
-    assert _outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()
+        assert tongue_outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
+    assert tongue_outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()
 
 
 def test_no_edges_where_growth_leaves_double_precision():

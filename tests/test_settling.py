@@ -64,8 +64,8 @@ class Here:
 @pytest.fixture
 def fresh(monkeypatch):
     """No map is known, and none is left behind."""
-    monkeypatch.setattr(growth, "_full_maps", type(growth._full_maps)())
-    monkeypatch.setattr(growth, "_edges", type(growth._edges)())
+    monkeypatch.setattr(growth, "_full", type(growth._full)())
+    monkeypatch.setattr(growth, "_whole", type(growth._whole)())
 
 
 def settle(monkeypatch, work, act):
@@ -93,10 +93,12 @@ def test_the_map_is_shown_before_its_edges(fresh, monkeypatch):
 
     work = Here()
     assert settle(monkeypatch, work, act) == ["map", True]
-    assert work.asked == ["floquet_map", "tongue_outlines"]
+    assert work.asked == ["floquet_map", "whole_map"]
     assert known_map(WINDOW, "map").outlines == ()
     assert len(known_map(WINDOW, True).outlines) > 3
-    assert known_map(WINDOW, "map").growth is known_map(WINDOW, True).growth
+    rough, fine = (known_map(WINDOW, one).growth for one in ("map", True))
+    assert rough.refined == 0 < fine.refined
+    assert (rough.error >= fine.error).all()
 
 
 def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
@@ -135,7 +137,7 @@ def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
 
     work = Here()
     assert settle(monkeypatch, work, act) == [True]
-    assert work.asked == ["tongue_outlines"]
+    assert work.asked == ["whole_map"]
 
 
 def test_without_a_server_everything_is_made_at_once(fresh):

@@ -17,22 +17,32 @@ export function render({ model, el }) {
     const message = { type: "change", seq: state.inflight, values: state.pending };
     state.pending = {};
     model.send_msg(message);
-    state.timer = setTimeout(() => { state.inflight = 0; flush(); }, TIMEOUT);
+    state.timer = setTimeout(freed, TIMEOUT);
+  }
+
+  function freed() {
+    state.inflight = 0;
+    flush();
+    if (due) settle();
   }
 
   function release(seq) {
     if (seq !== state.inflight) return;
     clearTimeout(state.timer);
-    requestAnimationFrame(() => { state.inflight = 0; flush(); });
+    requestAnimationFrame(freed);
   }
 
-  let resting = 0;
+  let resting = 0, due = false;
+  function settle() {
+    // at once after the last picture, where that takes longer than the rest
+    due = Boolean(state.inflight || Object.keys(state.pending).length);
+    if (!due) model.send_msg({ type: "settle", seq: ++state.sequence });
+  }
+
   function rest() {
     clearTimeout(resting);
-    resting = setTimeout(() => {
-      if (state.inflight || Object.keys(state.pending).length) rest();
-      else model.send_msg({ type: "settle", seq: ++state.sequence });
-    }, REST);
+    due = false;
+    resting = setTimeout(settle, REST);
   }
 
   function change(name, value) {

@@ -30,6 +30,7 @@ __all__ = [
     "followed",
     "map_options",
     "tongue_outlines",
+    "whole_map",
 ]
 
 ELEMENTS, MODES = 20, 4
@@ -149,6 +150,7 @@ def _growth(
     loads: NDArray[np.float64],
     frequencies: NDArray[np.float64],
     settled: bool,
+    refined: bool,
 ) -> StabilityChart:
     """Return the growth map, NaN where the load is too slow to be followed."""
     known = followed(window, frequencies, settled)
@@ -161,7 +163,7 @@ def _growth(
         window.static_load,
         loads,
         frequencies[known],
-        **map_options(window.model, settled),
+        **map_options(window.model, settled) | ({} if refined else {"refine": 0}),
     )
     if known.all():
         return chart
@@ -178,17 +180,25 @@ def _growth(
     return replace(chart, excitation_frequencies=frequencies, **wide)
 
 
-def floquet_map(window: Window, settled: bool) -> FloquetMap:
-    """Return the map of a window without edges; a settled one takes some ten times longer."""
+def floquet_map(window: Window, settled: bool, refined: bool = False) -> FloquetMap:
+    """Return the map of a window without edges; a settled one takes some ten times longer.
+
+    Where `refined`, a settled one's doubtful pixels are computed one by one.
+    """
     model = window.model
     rows, columns, _ = PIXELS[model.kind, settled]
     loads = (np.arange(rows) + 0.5) / rows * window.top
     span = window.high - window.low
     frequencies = window.low + (np.arange(columns) + 0.5) / columns * span
-    growth = _growth(window, loads, frequencies, settled)
+    growth = _growth(window, loads, frequencies, settled, refined)
     plain = model.undamped().system(window.spin_speed, window.tangency)
     mask = bolotin_mask(plain, window.static_load, loads, frequencies)
     return FloquetMap(growth, mask)
+
+
+def whole_map(window: Window) -> FloquetMap:
+    """Return the settled map of a window with all that can be had: refined, with edges."""
+    return replace(floquet_map(window, True, refined=True), outlines=tongue_outlines(window))
 
 
 def tongue_outlines(window: Window) -> tuple[Outline, ...]:
