@@ -5,7 +5,7 @@ HoloViews needs seconds of the server's one thread for a page, a copy a fraction
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -14,6 +14,8 @@ from bokeh.core.serialization import Deserializer, Serializer
 
 from rotorstab import plots
 from rotorstab.charts import Chart
+
+from .overlay import COMING_AND_GOING
 
 __all__ = ["Drawing", "draw"]
 
@@ -38,10 +40,9 @@ class Drawing:
 
 @dataclass(frozen=True)
 class _Kind:
-    """What a figure's parts depend on; its data, names and ranges are patched."""
+    """What a figure's parts depend on; its data, units, names and ranges are patched."""
 
     key: str
-    units: str
     layers: tuple[tuple[str, str], ...]
     chart: Chart = field(compare=False)
 
@@ -68,9 +69,10 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
 
 
 def draw(chart: Chart) -> Drawing:
-    """Return a figure of its own for a chart, still without data."""
-    layers = tuple((layer.kind, layer.label) for layer in chart.layers)
-    kind = _Kind(chart.key, chart.units, layers, chart)
+    """Return a figure of its own for a chart, without data and what comes and goes."""
+    fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
+    layers = tuple((layer.kind, layer.label) for layer in fixed)
+    kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
     text, coloured, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
     renderers = {one.name: one for one in figure.renderers}

@@ -12,7 +12,10 @@ from bokeh.models import ColumnDataSource, GlyphRenderer, MultiLine, Scatter
 from rotorstab import plots
 from rotorstab.charts import Layer
 
-__all__ = ["overlay"]
+__all__ = ["COMING_AND_GOING", "overlay"]
+
+COMING_AND_GOING = frozenset({"marker", "marker ruler", "pins"})
+"""Labels of the layers that are drawn here and not by HoloViews."""
 
 
 def overlay(figure: Any, layer: Layer) -> tuple[ColumnDataSource, GlyphRenderer]:

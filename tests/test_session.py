@@ -15,11 +15,13 @@ from hypothesis import strategies as st
 import app.analysis
 from app.analysis import CHARTS, solve
 from app.controls import GROUPS, Controls
+from app.drawing import _drawn
 from app.live import _same
 from app.pages import PAGES, explore
 from app.session import Session
 from app.state import PRESETS, State
 from app.units import displayed
+from deploy.server.dashboard import draw_all
 from rotorstab import plots
 
 # a value of every input of the sidebar away from its default, and the charts that it moves
@@ -596,3 +598,13 @@ def test_sessions_share_no_part_of_a_chart():
         for label, source in chart.sources.items():
             other = fresh.pages["explore"].charts[key].sources[label]
             assert _same(dict(source.data), dict(other.data))
+
+
+def test_what_is_drawn_at_the_start_is_only_copied_for_users():
+    draw_all(Session)
+    made = _drawn.cache_info().misses
+    for query in ({"at": [b"1"], "f": [b"1.7"]}, {"u": [b"SI"], "at": [b"1"]}, {"ze": [b"0.02"]}):
+        session = Session(query)
+        for name in session.pages:
+            session.respond({"type": "page", "name": name})
+    assert _drawn.cache_info().misses == made

@@ -62,15 +62,13 @@ window.rotorstab.inspector = (() => {
     } else if (event.key === "Delete" && values.marker) { event.preventDefault(); remove(); }
   }
 
-  function facts(rows) {
-    one('[data-inspector="facts"]').replaceChildren(...rows.map(([name, value]) => {
-      const [pair, term, text] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
-      term.append(...page.rich(name));
-      text.textContent = value;
-      pair.append(term, text);
-      return pair;
-    }));
-  }
+  page.facts = (rows) => rows.map(([name, value]) => {
+    const [pair, term, text] = ["div", "dt", "dd"].map((tag) => document.createElement(tag));
+    term.append(...page.rich(name));
+    text.textContent = value;
+    pair.append(term, text);
+    return pair;
+  });
 
   function swatch(number) {
     const holder = document.createElement("span");
@@ -168,7 +166,7 @@ window.rotorstab.inspector = (() => {
         words.dataset.text = data.inspector.sentence;
         words.replaceChildren(...page.rich(data.inspector.sentence));
       }
-      facts(data.inspector.facts);
+      one('[data-inspector="facts"]').replaceChildren(...page.facts(data.inspector.facts));
       for (const place of card.querySelectorAll(".steady")) page.steady(place);
       if (data.inspector.motion) page.shaft.load(data.inspector.motion);
       if (!painted) {

@@ -72,8 +72,8 @@ window.rotorstab = (() => {
 
   // "β_d" and its like with a real subscript; names such as spin_speed stay as they are
   function rich(text) {
-    return text.split(/(?<![\p{L}\d_])(\p{L}\p{M}?_[\p{L}\d]+)/u).map((part) => {
-      const found = part.match(/^(\p{L}\p{M}?)_([\p{L}\d]+)$/u);
+    return text.split(/(?<![\p{L}\d_])(\p{L}\p{M}?_(?:\p{Ll},\p{Lu}+|[\p{L}\d]+))/u).map((part) => {
+      const found = part.match(/^(\p{L}\p{M}?)_([\p{L}\d,]+)$/u);
       if (!found) return part;
       const symbol = document.createElement("span");
       symbol.className = "symbol";

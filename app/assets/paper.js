@@ -26,7 +26,7 @@ window.rotorstab.paper = (() => {
     current = figure.number;
     place("title").replaceChildren(...page.rich(`Figure ${figure.number}. ${figure.title}`));
     place("caption").replaceChildren(...page.rich(figure.caption));
-    place("parameters").replaceChildren(...figure.parameters.map((pair) => row(pair, 1)));
+    place("parameters").replaceChildren(...page.facts(figure.parameters));
     place("reading").replaceChildren(...figure.reading.map((one) => {
       const ours = document.createElement("div");
       ours.append(...page.rich(one.ours));

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rotorstab.charts.written import written
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
 from ..analysis import paper_figure
 from ..printing import printer
-from ..state import PRESETS, State
+from ..state import PRESETS, SYMBOLS, State
 from .base import Page, Reply
 
 __all__ = ["Paper"]
@@ -47,7 +48,7 @@ def _settings(figure: Figure) -> list[dict[str, Any]]:
 def _shown(value: Any) -> str:
     if isinstance(value, list):
         return ", ".join(map(_shown, value))
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    return written(value, 6) if isinstance(value, (int, float)) else str(value)
 
 
 def describe(number: int, floquet: bool) -> dict[str, Any]:
@@ -60,7 +61,11 @@ def describe(number: int, floquet: bool) -> dict[str, Any]:
         "title": figure.title,
         "caption": figure.caption,
         "parameters": [
-            [name.replace("_", " "), _shown(value)] for name, value in figure.parameters.items()
+            [
+                f"{name.replace('_', ' ')} {SYMBOLS.get(name.removesuffix('s'), '')}".strip(),
+                _shown(value),
+            ]
+            for name, value in figure.parameters.items()
         ],
         "reading": [
             {"text": one.text, "ours": one.ours, "verdict": one.verdict, "note": one.note}
@@ -76,9 +81,9 @@ def describe_table() -> list[list[str]]:
         [
             row.name,
             row.symbol,
-            row.unit,
-            "" if row.text is None else f"{row.text:g}",
-            "given" if row.given else f"{row.ours:.6g}",
+            row.unit.strip("-"),
+            "" if row.text is None else written(row.text, 6),
+            "given" if row.given else written(row.ours, 6),
         ]
         for row in table_1().rows
     ]

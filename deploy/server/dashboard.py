@@ -3,6 +3,7 @@
 import importlib
 import sys
 from types import ModuleType
+from typing import Any
 
 from bokeh.settings import settings as bokeh_settings
 
@@ -24,4 +25,17 @@ def install(settings: Settings):
     if lessons:
         lessons.library()  # a broken lesson is reported now, not when the first student comes
     if session:
-        session.Session()
+        draw_all(session.Session)
+
+
+def draw_all(session: Any) -> None:
+    """Draw every live chart once: later sessions copy them, and HoloViews holds up no user.
+
+    Parameters
+    ----------
+    session : type
+        The app's `Session`.
+    """
+    made = session({"at": ["1"]})  # the inspector has charts where there is a marker
+    for page in made.pages.values():
+        page.show(made.state, False)

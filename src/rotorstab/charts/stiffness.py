@@ -144,7 +144,7 @@ def stiffness_charts(
             x_label="steady load p̄",
             y_label="error over k̄(0)",
             x_range=x_range,
-            y_range=(0.0, top_error),
+            y_range=(-0.13 * top_error, top_error),  # room for a name under a curve near 0
             layers=(
                 Layer("lines", "errors", lines.columns),
                 Layer("labels", "names", label_columns(rows)),
