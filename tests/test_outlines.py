@@ -131,3 +131,23 @@ def test_no_edges_where_growth_leaves_double_precision():
     theta = np.geomspace(0.4, 16, 5) * frequency
     assert growth_rate(system, 0.0, 0.5 * load, theta).min() > 0.3
     assert unstable_outlines(system, 0.0, load, theta[0], theta[-1], rows=9) == ()
+
+
+def test_a_rotor_that_grows_without_pulsation_has_no_edge_where_nothing_ends():
+    system = lumped(BASE_CASE, 1.2, internal_damping=0.02)
+    (whole,) = unstable_outlines(system, 0.0, 0.3 * P, 0.4 * W, 6 * W, rows=13)
+    assert whole.pulsating_loads[0] == 0.0
+    assert whole.order == 0
+    assert np.allclose(whole.left, 0.4 * W)
+    assert np.allclose(whole.right, 6 * W)
+    assert np.isnan(whole.edges).all()
+
+
+def test_a_tongue_cut_by_the_window_keeps_its_other_edge():
+    theta = 1.68 * W  # near the middle of 1B+1F
+    pieces = unstable_outlines(SYSTEMS["axial"], 0.5 * P, 0.5 * P, theta, 3 * W, rows=13)
+    one = next(one for one in pieces if one.name == "1B+1F" and one.order == 1)
+    left, right = one.edges
+    assert np.isnan(left).sum() > 8
+    assert np.isfinite(right[2:]).all()
+    assert (right[2:] > theta).all()

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .checks import number
+from .floquet import growth_rate
 from .intervals import Interval, unstable_intervals
 from .resonance import ResonanceTable, resonances
 from .stiffness import largest_exact_load
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 
 _ORDERS = 9  # highest θ̄ = |ω_i − ω_j|/k that is named
 _NEAR_POLE = 0.9  # of the way to the pole of the exact stiffness: rows end there
+_GROWTH = 1e-8  # smallest growth rate that counts
 _DRIFT = 0.012  # of θ̄: farthest unexplained move of a narrow tongue in a row
 
 
@@ -38,11 +40,14 @@ class Outline:
     name : str
         The mode pair whose resonance its lowest row lies nearest to, such as "1B+1F".
     order : int
-        k of that resonance θ̄ = |ω_i − ω_j|/k; 0 where there is none.
+        k of that resonance θ̄ = |ω_i − ω_j|/k; 0 where there is none, and where the rotor grows
+        without pulsation.
     pulsating_loads : (m,) float
         p̄_t [EI/L²], rising.
     left, right : (m,) float
         Edges θ̄ [√(EI/(ρAL⁴))].
+    window : (float, float)
+        Lowest and highest θ̄ that were searched; a piece that goes on beyond is cut there.
     """
 
     name: str
@@ -50,6 +55,18 @@ class Outline:
     pulsating_loads: Array
     left: Array
     right: Array
+    window: tuple[float, float]
+
+    @property
+    def edges(self) -> Array:
+        """Left and right, (2, m), NaN along the window's border: no edge is there."""
+        edges = np.array([self.left, self.right])
+        at = np.pad(
+            np.isclose(edges, np.array([self.window]).T, rtol=1e-9, atol=0.0),
+            ((0, 0), (1, 1)),
+            "edge",
+        )
+        return np.where(at[:, :-2] & at[:, 1:-1] & at[:, 2:], np.nan, edges)
 
     @property
     def area(self) -> float:
@@ -139,10 +156,15 @@ def unstable_outlines(
             return ()
     loads = np.linspace(0.0, largest, int(number("rows", rows, 8)))
     found = unstable_intervals(system, static, loads[1:], low, high)
-    roots = _roots(resonances(system, static, largest))
     step = float(loads[1])
+    if found[0] and growth_rate(system, static, 0.0, high) > _GROWTH:
+        found.insert(0, [Interval(low, high)])  # it grows without any pulsation
+    else:
+        loads = loads[1:]
+    roots = _roots(resonances(system, static, largest))
     return tuple(
-        _outline(chain, roots, step, system.is_damped) for chain in _link(loads[1:], found, step)
+        _outline(chain, roots, step, system.is_damped, (low, high))
+        for chain in _link(loads, found, step)
     )
 
 
@@ -239,7 +261,7 @@ def _link(loads: Array, found: list[list[Interval]], step: float) -> list[_Chain
                 for chain, piece in zip(new, _cut(hull, ends), strict=True):
                     chain.add(load - step / 2, piece)
             for chain, end in zip(new, ends, strict=True):
-                if not chains:
+                if not chains and load > 0:
                     chain.add(load - step / 2, Interval(end.centre, end.centre))
                 chain.add(load, end)
             after += new
@@ -252,7 +274,11 @@ def _place(chain: _Chain) -> tuple[float, float]:
 
 
 def _outline(
-    chain: _Chain, roots: list[tuple[float, str, int]], step: float, damped: bool
+    chain: _Chain,
+    roots: list[tuple[float, str, int]],
+    step: float,
+    damped: bool,
+    window: tuple[float, float],
 ) -> Outline:
     """Return a chain as an outline, with its name.
 
@@ -262,12 +288,12 @@ def _outline(
     left, right = np.array(chain.ends).T.copy()
     middle = (left[0] + right[0]) / 2
     near = [(abs(np.log(root / middle)) * k, root, name, k) for root, name, k in roots]
-    if not near:
-        return Outline("", 0, loads, left, right)
+    if not near or loads[0] == 0.0:
+        return Outline("", 0, loads, left, right, window)
     _, root, name, order = min(near)
     tip = left[0] == right[0] and not damped
     if tip and order == 1 and abs(root - middle) < 0.02 * root and loads[0] < 12 * step:
         loads[0], left[0], right[0] = 0.0, root, root
     for array in (loads, left, right):
         array.flags.writeable = False
-    return Outline(name, order, loads, left, right)
+    return Outline(name, order, loads, left, right, window)

@@ -117,7 +117,8 @@ def _edge_lines(
     gap = np.array([np.nan])
     lines = Lines()
     for one in outlines:
-        theta = np.concatenate([one.left, gap, one.right[::-1]]) / fundamental_frequency
+        left, right = one.edges
+        theta = np.concatenate([left, gap, right[::-1]]) / fundamental_frequency
         load = np.concatenate([one.pulsating_loads, gap, one.pulsating_loads[::-1]])
         load /= reference_load
         order = f", order {one.order}" if one.order > 1 else ""
