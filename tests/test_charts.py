@@ -2,6 +2,7 @@
 
 import math
 import re
+from itertools import combinations
 from pathlib import Path
 
 import holoviews as hv
@@ -15,6 +16,7 @@ from app.live import LiveChart
 from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped, plots
 from rotorstab.charts import ROLES
+from rotorstab.charts.explore import _label_tongues
 from rotorstab.charts.structure import Chart, Layer, Lines, symmetric
 
 ASSETS = Path(__file__).parents[1] / "app" / "assets"
@@ -226,3 +228,18 @@ def test_ticks_of_a_large_orbit_are_few_and_short():
     for axis in hv.render(plots.element(chart), backend="bokeh").axis:
         assert axis.ticker.desired_num_ticks <= 4
         assert "toExponential" in axis.formatter.code
+
+
+@given(st.lists(st.floats(0.0, 12.0), max_size=8), st.floats(0.0, 3.0), st.floats(5.0, 14.0))
+def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high):
+    rows = _label_tongues([(x, "1B+1F") for x in places], (low, high), 1.0)
+    assert len(rows) == sum(low <= x <= high for x in places)
+    spans = []
+    for x, y, _, side in rows:
+        share = (x - low) / (high - low)
+        start, end = (share, share + 0.2) if side == "right" else (share - 0.2, share)
+        assert start >= 0
+        assert end <= 1 + 1e-12
+        spans.append((start, end, y))
+    for (a, b, y), (c, d, z) in combinations(spans, 2):
+        assert min(b, d) - max(a, c) < 1e-9 or abs(y - z) > 0.03

@@ -19,6 +19,9 @@ __all__ = ["GrowthGrid", "campbell_chart", "instability_chart", "load_frequency_
 Array = NDArray[np.float64]
 
 
+_LABEL = 0.2  # of the chart's width for a label: a phone is narrow
+
+
 @dataclass(frozen=True, eq=False)
 class GrowthGrid:
     """Floquet's answer on the pixels of the instability chart.
@@ -50,18 +53,18 @@ def _label_tongues(
     """Return a label at the foot of each tongue, raised where the next one would touch it."""
     left, right = frequency_range
     rows: list[tuple[float, float, str, str]] = []
+    taken: list[tuple[float, int]] = []  # where each label starts, and its level
     for x, name in sorted(tongues):
         share = (x - left) / (right - left)
         if not 0 <= share <= 1:
             continue
+        side = "right" if share <= 1 - _LABEL else "left"
+        start = share if side == "right" else share - _LABEL
         level = 0
-        while any(
-            abs(x - other) < 0.2 * (right - left)  # a phone is narrow
-            and abs(y - top * _level(level)) < 0.03 * top
-            for other, y, _, _ in rows
-        ):
+        while any(abs(start - other) < _LABEL and level == at for other, at in taken):
             level += 1
-        rows.append((x, top * _level(level), name, "right" if share < 0.9 else "left"))
+        taken.append((start, level))
+        rows.append((x, top * _level(level), name, side))
     return rows
 
 
