@@ -64,8 +64,8 @@ window.rotorstab = (() => {
 
   function setTheme(name, keep) {
     root.dataset.theme = name;
-    const button = document.querySelector("button.theme");
-    button.setAttribute("aria-pressed", String(name === "dark"));
+    // the word says what a click brings
+    document.querySelector("button.theme").textContent = name === "dark" ? "Light" : "Dark";
     if (keep) try { localStorage.setItem("rotorstab-theme", name); } catch { /* private window */ }
     paintCharts();
   }
