@@ -48,6 +48,7 @@ class LiveChart:
         self._chart = drawing.chart
         self._drawn: dict[str, dict[str, Any]] = {}
         self._added: set[str] = set()
+        self._least_top: float | None = None
         self._ranges = {
             "x": (self.figure.x_range, drawing.chart.x_range),
             "y": (self.figure.y_range, drawing.chart.y_range),
@@ -107,7 +108,16 @@ class LiveChart:
         # the few pixels of very slow loads would leave no colour for the rest
         largest = float(np.nanpercentile(image, 98)) if np.isfinite(image).any() else 0.0
         step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
-        self._colours["growth"].high = float(np.ceil(largest / step) * step) or 1.0
+        top = float(np.ceil(largest / step) * step) or 1.0
+        if self._least_top is not None:
+            top = self._least_top = max(top, self._least_top)
+        self._colours["growth"].high = top
+
+    def keep_colours(self, keep: bool) -> None:
+        """From now on let the scale of the colours only grow, for maps to be compared; or not."""
+        self._least_top = 0.0 if keep else None
+        if "growth" in self._colours and "growth" in self._drawn:
+            self._rescale(self._drawn["growth"]["image"][0])
 
     def set_visible(self, shown: Mapping[str, bool]) -> None:
         """Show or hide layers by label."""

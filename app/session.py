@@ -133,6 +133,9 @@ class Session:
             reply = next(takers, self.pages[self.active]).handle(message, self.state)
         if reply.reset_view:
             self.reset_view()
+        if reply.keep_colours is not None:
+            for page in self.pages.values():
+                page.keep_colours(reply.keep_colours)
         if reply.later is not None:
             self._deliver(reply)
         # a change is one step of many: the full picture comes when the browser says so

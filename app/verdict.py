@@ -88,7 +88,7 @@ def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
     return words + "."
 
 
-def _comparison(answer: FloquetAnswer) -> str:
+def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     if math.isnan(true):
         return ""
@@ -99,7 +99,10 @@ def _comparison(answer: FloquetAnswer) -> str:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
         return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
-    text = f" Of {place} {_percent(true)} is unstable; Bolotin regions cover {_percent(bolotin)}"
+    text = f" Of {place} {_percent(true)} is unstable"
+    if not bolotin_shown:
+        return text + "."
+    text += f"; Bolotin regions cover {_percent(bolotin)}"
     if true > 0 and bolotin > true:
         text += f", overstating the area by {100 * (bolotin / true - 1):,.0f} %"
     missed = true - both
@@ -126,12 +129,13 @@ def _blank(answer: FloquetAnswer) -> str:
     )
 
 
-def verdict(answer: FloquetAnswer, scales: Scales | None = None) -> str:
+def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: bool = True) -> str:
     """Return the verdict on one chart, in three or four sentences.
 
     With `scales` frequencies are in Hz, growth is per second and loads have a unit beside β_d.
+    Bolotin's regions are not spoken of where they are not shown.
     """
-    return _opening(answer, scales) + _comparison(answer) + _end(answer)
+    return _opening(answer, scales) + _comparison(answer, bolotin_shown) + _end(answer)
 
 
 def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:

@@ -17,7 +17,7 @@ from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped, plots
 from rotorstab.charts import ROLES
 from rotorstab.charts.explore import _label_tongues
-from rotorstab.charts.structure import Chart, Layer, Lines, symmetric
+from rotorstab.charts.structure import Chart, Layer, Lines, around_zero
 
 ASSETS = Path(__file__).parents[1] / "app" / "assets"
 KINDS = {"regions", "lines", "points", "labels", "map"}
@@ -152,10 +152,10 @@ def test_critical_speeds_lie_on_the_synchronous_lines():
     np.testing.assert_allclose(np.abs(points["y"]), points["x"])
 
 
-@given(st.floats(1e-3, 1e3))
-def test_a_symmetric_range_holds_its_largest_value_with_room(largest):
-    low, high = symmetric(largest)
-    assert low == -high
+@given(st.floats(-1e3, 0.0), st.floats(0.0, 1e3))
+def test_a_range_around_zero_holds_its_ends_with_room(least, largest):
+    low, high = around_zero(least, largest)
+    assert 1.08 * least - 2 <= low < least or low == -0.5
     assert largest < high <= 1.08 * largest + 2
 
 

@@ -154,3 +154,43 @@ def test_a_place_is_not_read_off_the_map_before_it_is_computed():
                 if value != step.before[name] and not name.startswith(("show_", "marker"))
             }
             assert moved or not step.before["show_growth"], (key, step.title)
+
+
+COVER = """() => getComputedStyle(
+  document.querySelector(".card.looked .plot"), "::after").content"""
+NUMBER = """() => getComputedStyle(
+  document.querySelector('[data-lesson="watch"] dd')).fontSize"""
+
+
+def choose(page, number):
+    page.locator(".lesson-choice input").nth(number).check()
+    page.get_by_role("button", name="Check").click()
+
+
+def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
+    page = open_page(path="/app#lesson/04-gyroscope/1")
+    at_step(page, 1)
+    assert "after your prediction" in page.evaluate(COVER)
+    choose(page, 0)
+    page.locator(".lesson-words.hint").wait_for()
+    assert page.evaluate(COVER) == "none"
+    assert page.evaluate(NUMBER) == "0px"
+    page.locator("#lesson-spin_speed").press("ArrowRight")
+    page.wait_for_function(f"({NUMBER})() !== '0px'")
+    choose(page, 2)
+    page.locator(".lesson-words.right").wait_for()
+    choose(page, 1)
+    page.locator(".lesson-words.note", has_text="The answer that you had before stands").wait_for()
+
+
+def test_a_lost_connection_is_told_wherever_one_is_on_the_page(open_page):
+    page = open_page(path="/app#lesson/05-bolotin/4")
+    at_step(page, 4)
+    page.evaluate("scrollTo(0, document.documentElement.scrollHeight)")
+    page.evaluate("""() => {
+      const lost = document.querySelector(".lost");
+      lost.hidden = false;
+      lost.textContent = "The connection to the server was lost.";
+    }""")
+    box = page.locator(".lost").bounding_box()
+    assert 0 <= box["y"] < 200

@@ -15,7 +15,7 @@ from app.lessons import QUANTITIES, LessonError, Unanswerable, grade, library, p
 from app.lessons.__main__ import main
 from app.lessons.expressions import read_condition, read_expression
 from app.lessons.library import VARIABLE, collect, read_file, read_folder
-from app.lessons.markdown import inline, render, tokens
+from app.lessons.markdown import inline, plain, render, tokens
 from app.lessons.quantities import evaluate
 from app.session import Session
 from app.state import State
@@ -52,7 +52,8 @@ def test_each_step_can_be_set_and_its_question_answered(lesson, index):
         assert low <= answer <= high
         assert grade(step, answer, step.after).right
         assert grade(step, f" {answer:.6f}".replace(".", ","), step.after).right
-        far = answer + 3 * question.tolerance * (abs(answer) if question.relative else 1)
+        away = 3 * question.tolerance * (abs(answer) if question.relative else 1)
+        far = answer + away if answer + away <= high else answer - away
         wrong = grade(step, far, step.after)
         assert (wrong.right, wrong.words, wrong.counted) == (False, question.hint, True)
     elif question.kind == "choice":
@@ -438,3 +439,48 @@ def test_no_lesson_message_raises(shared, message):
     answer = shared.respond(message)
     json.dumps(answer, allow_nan=False)
     assert answer["notice"] == ""
+
+
+def test_a_number_out_of_its_range_is_asked_again():
+    step = library().lessons["01-parametric-resonance"].steps[0]
+    for value in ("-2", 9):
+        found = grade(step, value, step.after)
+        assert not found.right
+        assert not found.counted
+        assert "from 0 to 5" in found.words
+
+
+def test_a_step_may_cover_its_charts():
+    text = EXAMPLE.replace("```show\n", "```show\ncover = true\n", 1)
+    covered = parse(text, "a").steps[0].cover
+    assert covered
+    assert not parse(EXAMPLE, "a").steps[0].cover
+    with pytest.raises(LessonError, match="cover must be true or false"):
+        parse(text.replace("cover = true", 'cover = "yes"'), "a")
+
+
+def test_a_power_is_no_part_of_a_subscript():
+    assert plain("ω_n²") == '<span class="symbol">ω<sub>n</sub></span>²'
+
+
+def test_a_width_tells_its_load():
+    session = Session()
+    session.respond({"type": "page", "name": "explore"})
+    answer = session.respond({"type": "lesson", "lesson": "04-gyroscope", "step": 3})
+    assert answer["lesson_numbers"]["tongue.1B+1F.width"].endswith(" at β_d = 0.5")
+
+
+def test_colours_can_be_compared_within_a_step():
+    session = Session()
+
+    def top():
+        found = session.pages["explore"].charts["instability"]
+        return found._colours["growth"].high
+
+    session.respond({"type": "lesson", "lesson": "04-gyroscope", "step": 3})
+    before = top()
+    session.respond({"type": "change", "values": {"spin_speed": 3.0}})
+    assert top() == before
+    session.respond({"type": "lesson-end"})
+    session.respond({"type": "change", "values": {"spin_speed": 3.0, "static_load_factor": 0.0}})
+    assert top() < before

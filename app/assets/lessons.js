@@ -7,6 +7,7 @@ window.rotorstab.lessons = (() => {
   const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
   const panel = () => document.querySelector(".lesson");
   let running = null; // the step as the server described it
+  let start = "", moved = false; // what the step's own inputs were, and whether they have changed
   let asked = ""; // key of the lesson that was asked for
   let values = {};
   let focusTo = "";
@@ -147,6 +148,11 @@ window.rotorstab.lessons = (() => {
   }
 
   function answered({ right, counted, words, shown }) {
+    // the right answer that was given stays given
+    if (counted && !right && !shown && passed(progress(running.key).steps[running.step])) {
+      say("Not this one. The answer that you had before stands.", "note");
+      return;
+    }
     // what is not counted is no answer yet: a number with its unit, say
     say(words, right ? "right" : shown ? "shown" : counted ? "hint" : "note");
     // what is new may lie below the panel's edge
@@ -181,6 +187,8 @@ window.rotorstab.lessons = (() => {
     place("see-part").hidden = !passed(state);
     place("show").hidden = passed(state) || !state;
     veil(!state && kind !== "goal");
+    // after a wrong answer the numbers come with the trying
+    panel().classList.toggle("tried", passed(state) || kind === "goal" || !running.move.length || moved);
     place("back").disabled = step === 0;
     const last = step === titles.length - 1;
     const forward = place("next");
@@ -200,6 +208,7 @@ window.rotorstab.lessons = (() => {
   function veil(on) {
     predicting = on;
     document.querySelector("main").classList.toggle("predicting", on);
+    document.querySelector("main").classList.toggle("covered", Boolean(on && running?.cover));
     const asked = new Set(on && running ? running.asked : []);
     for (const number of document.querySelectorAll("[data-number], [data-whirl]")) {
       const name = number.dataset.number || `whirl.${number.dataset.whirl}`;
@@ -227,6 +236,8 @@ window.rotorstab.lessons = (() => {
   function show(step) {
     if (step.key !== asked) return; // left meanwhile
     running = step;
+    start = "";
+    moved = false;
     busy(false);
     place("where").textContent = step.number ? `Lesson ${step.number} · step ${step.step + 1} of ${step.titles.length}` : `Step ${step.step + 1} of ${step.titles.length}`;
     for (const name of ["title", "intro", "heading", "predict", "try", "see"]) html(place(name), step[name]);
@@ -338,9 +349,15 @@ window.rotorstab.lessons = (() => {
       if (data.values) {
         values = data.values;
         for (const [name, one] of Object.entries(controls)) one.show(values[name]);
+        const now = JSON.stringify(Object.keys(controls).map((name) => values[name]));
+        if (running && !moved) {
+          moved = start !== "" && now !== start;
+          start = start || now;
+          if (moved) reveal();
+        }
       }
       for (const [name, text] of Object.entries(data.lesson_numbers || {})) {
-        for (const where of document.querySelectorAll(`[data-quantity="${CSS.escape(name)}"]`)) where.textContent = text;
+        for (const where of document.querySelectorAll(`[data-quantity="${CSS.escape(name)}"]`)) where.replaceChildren(...page.rich(text));
       }
       if (data.lesson_answer && running) answered(data.lesson_answer);
       if (data.page && !visited) visit();

@@ -33,6 +33,8 @@ class Step:
         Every input of `State` when the step begins, and after its Try.
     look, move, given, watch : tuple of str
         Charts to look at, inputs to move, quantities shown with Predict and with Try.
+    cover : bool
+        Whether the charts to look at are covered until the question is answered.
     """
 
     title: str
@@ -47,6 +49,7 @@ class Step:
     move: tuple[str, ...]
     given: tuple[str, ...]
     watch: tuple[str, ...]
+    cover: bool
     line: int
 
 
@@ -92,6 +95,13 @@ def _list(values: Mapping[str, Any], key: str, table: Table) -> tuple[str, ...]:
         if not known:
             raise table.error(key, f"{key}: there is no {name[:60]!r}")
     return tuple(names)
+
+
+def _flag(values: Mapping[str, Any], key: str, table: Table) -> bool:
+    value = values.get(key, False)
+    if not isinstance(value, bool):
+        raise table.error(key, f"{key} must be true or false")
+    return value
 
 
 def _front(lines: list[str]) -> tuple[Table, int]:
@@ -154,7 +164,7 @@ def _gather(draft: _Draft, kind: str, table: Table) -> None:
     else:
         if draft.show:
             raise LessonError(table.line, "a step has one show block")
-        table.only(values, ("look", "move", "given", "watch"), "a show block")
+        table.only(values, ("look", "move", "given", "watch", "cover"), "a show block")
         draft.show = values, table
 
 
@@ -188,6 +198,7 @@ def _step(draft: _Draft, on: Mapping[str, Any]) -> Step:
         move=_list(shown, "move", table),
         given=_list(shown, "given", table),
         watch=_list(shown, "watch", table),
+        cover=_flag(shown, "cover", table),
         line=draft.line,
     )
 

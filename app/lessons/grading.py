@@ -166,6 +166,9 @@ def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
     assert answer is not None
     if number is None:
         return Grade(False, _NOT_A_NUMBER, counted=False)
+    if question.range and not question.range[0] <= number <= question.range[1]:
+        low, high = map(number_text, question.range)
+        return Grade(False, f"A number from {low} to {high}, please.", counted=False)
     allowed = question.tolerance * (abs(answer) if question.relative else 1.0)
     if abs(number - answer) <= allowed * (1 + 1e-9):
         return Grade(True, f"Yes. {told(step)}")

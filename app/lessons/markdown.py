@@ -14,7 +14,7 @@ from markupsafe import Markup, escape
 __all__ = ["inline", "plain", "render", "tokens"]
 
 # "β_d" and its like; a combining bar may follow the letter
-_SYMBOL = re.compile(r"([^\W\d_]̄?)_([^\W_]{1,8})")
+_SYMBOL = re.compile(r"([^\W\d_]̄?)_([^\W_²³]{1,8})")
 
 
 def plain(text: str) -> Markup:

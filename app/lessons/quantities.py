@@ -39,6 +39,8 @@ class Quantity:
         From the situation and the parts.
     flag : bool
         Whether it is 1 for yes and 0 for no.
+    at_factor : bool
+        Whether it is of the marker's β_d, marker or not, which is then said with it.
     """
 
     form: str
@@ -46,6 +48,7 @@ class Quantity:
     doc: str
     compute: Callable[..., float]
     flag: bool = False
+    at_factor: bool = False
 
     @cached_property
     def pattern(self) -> re.Pattern[str]:
@@ -132,6 +135,7 @@ QUANTITIES = (
         "tongue {0}, width in θ/ω_n",
         "its whole width in θ/ωₙ at the marker's β_d; 0 where there is none",
         lambda at, pair: 2 * at.pair(pair).half_width / at.fundamental,
+        at_factor=True,
     ),
     Quantity(
         "tongue.<pair>.frequency",
@@ -150,6 +154,7 @@ QUANTITIES = (
         "tongue {0}, growth rate",
         "growth rate at its centre at the marker's β_d",
         lambda at, pair: at.pair(pair).growth,
+        at_factor=True,
     ),
     Quantity(
         "tongue.<pair>.threshold",

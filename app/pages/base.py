@@ -31,6 +31,7 @@ class Reply:
     later: Future[Any] | None = None
     wrap: Callable[[Any], Mapping[str, Any]] = dict
     reset_view: bool = False
+    keep_colours: bool | None = None
 
 
 class Page:
@@ -106,6 +107,11 @@ class Page:
                 live = self.charts[key] = LiveChart(chart)
                 self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
             self.charts[key].set_visible(self.visible(state))
+
+    def keep_colours(self, keep: bool) -> None:
+        """Let the scales of the maps only grow, or let them go."""
+        for chart in self.charts.values():
+            chart.keep_colours(keep)
 
     def reset_view(self) -> None:
         """Undo every zoom."""

@@ -167,7 +167,11 @@ class Explore(Page):
         result = solve(state, settled)
         answer = {
             "numbers": result.numbers,
-            "verdict": verdict(result.floquet, shown_scales(state)),
+            "verdict": verdict(
+                result.floquet,
+                shown_scales(state),
+                state.show_bolotin or state.show_disagreement,
+            ),
             "verdict_room": verdict_room(result.floquet, shown_scales(state)),
             "settled": settled is True,
             "inspector": None,

@@ -61,7 +61,10 @@ def _now(name: str, inputs: Mapping[str, Any]) -> str:
     quantity, _ = find(name) or (None, ())
     if quantity is not None and quantity.flag:
         return "yes" if value else "no"
-    return number_text(value if abs(value) > 1e-9 else 0.0)
+    text = number_text(value if abs(value) > 1e-9 else 0.0)
+    if quantity is not None and quantity.at_factor:
+        text += f" at β_d = {number_text(inputs['marker_factor'])}"
+    return text
 
 
 def _asked(step: Step) -> list[str]:
@@ -94,6 +97,7 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
         "has_set": step.has_set,
         "see": step.see,
         "look": list(step.look),
+        "cover": step.cover,
         "move": [field(name) for name in step.move],
         "asked": _asked(step),
         "given": [[name, _label(name)] for name in step.given],
@@ -131,6 +135,7 @@ class Lessons(Page):
             self._running = None
             state.change(self._before)
             self._before = {}
+            return Reply(keep_colours=False)
         elif step is None:
             return Reply()
         elif kind == "lesson-set":
@@ -156,7 +161,7 @@ class Lessons(Page):
         answer: dict[str, Any] = {"lesson": describe(*self._running)}
         if asked > last:
             answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
-        return Reply(answer, reset_view=not message.get("keep"))
+        return Reply(answer, reset_view=not message.get("keep"), keep_colours=True)
 
     def _judge(self, step: Step, value: Any, state: State) -> dict[str, Any]:
         try:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..bolotin import BolotinChart
 from ..outlines import Outline
 from ..whirl import CriticalSpeeds, WhirlCurves
-from .structure import Chart, Layer, Lines, label_columns, mark_columns, symmetric
+from .structure import Chart, Layer, Lines, around_zero, label_columns, mark_columns
 
 __all__ = ["GrowthGrid", "campbell_chart", "instability_chart", "load_frequency_chart"]
 
@@ -220,18 +220,20 @@ def instability_chart(
     )
 
 
-def _largest(curves: WhirlCurves) -> float:
-    """Return the largest |Re ω̄| of modes 1 and 2: finite elements have many more."""
+def _span(curves: WhirlCurves) -> tuple[float, float]:
+    """Return the least and the largest Re ω̄ of modes 1 and 2: finite elements have many more."""
     shown = [name[0] in "12" and len(name) == 2 for name in curves.names]
-    return float(np.abs(curves.frequencies.real[:, shown]).max())
+    real = curves.frequencies.real[:, shown]
+    return float(real.min()), float(real.max())
 
 
 def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float, float, str, str]]:
     row = curves.frequencies[index]
+    low, high = _span(curves)
     return [
         (float(curves.parameter[index]), float(value.real), name, side)
         for value, name in zip(row, curves.names, strict=True)
-        if abs(value.real) <= _largest(curves)
+        if low <= value.real <= high
     ]
 
 
@@ -272,7 +274,8 @@ def load_frequency_chart(
     """
     first = next(iter(curves.values()))
     x_range = (float(first.parameter[0]), float(first.parameter[-1]))
-    y_range = symmetric(max(map(_largest, curves.values())))
+    lows, highs = zip(*map(_span, curves.values()), strict=True)
+    y_range = around_zero(min(lows), max(highs))
     lines, marks = Lines(), Lines()
     for role, one in curves.items():
         lines.whirl(one, (role, role), f"{{}}, {role}")
@@ -308,7 +311,7 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
     critical : CriticalSpeeds
     """
     x_range = (float(curves.parameter[0]), float(curves.parameter[-1]))
-    y_range = symmetric(_largest(curves))
+    y_range = around_zero(*_span(curves))
     lines, marks = Lines(), Lines()
     lines.whirl(curves, ("backward", "forward"), "{}")
     ends = np.array(x_range)

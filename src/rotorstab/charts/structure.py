@@ -17,10 +17,10 @@ __all__ = [
     "Layer",
     "Lines",
     "Role",
+    "around_zero",
     "axis_symbol",
     "label_columns",
     "mark_columns",
-    "symmetric",
 ]
 
 Array = NDArray[np.float64]
@@ -193,8 +193,8 @@ def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Se
     return mark_columns(rows, "side")
 
 
-def symmetric(largest: float) -> tuple[float, float]:
-    """Return a range ±largest, rounded up to a step so that it rarely moves."""
-    step = 0.5 if largest < 4 else 2.0
-    top = step * float(np.ceil(largest * 1.08 / step))
-    return -top, top
+def around_zero(low: float, high: float) -> tuple[float, float]:
+    """Return a range from below 0 to above it, with room, in steps so that it rarely moves."""
+    step = 0.5 if max(-low, high) < 4 else 2.0
+    below, above = (step * max(1.0, float(np.ceil(one * 1.08 / step))) for one in (-low, high))
+    return -below, above
