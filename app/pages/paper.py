@@ -51,6 +51,10 @@ def _shown(value: Any) -> str:
     return written(value, 6) if isinstance(value, (int, float)) else str(value)
 
 
+def _symbol(name: str) -> str:
+    return SYMBOLS.get(name, SYMBOLS.get(name.removesuffix("s"), ""))
+
+
 def describe(number: int, floquet: bool) -> dict[str, Any]:
     """Return a figure's words and numbers as plain values for the browser."""
     figure = paper_figure(number, floquet)
@@ -61,10 +65,7 @@ def describe(number: int, floquet: bool) -> dict[str, Any]:
         "title": figure.title,
         "caption": figure.caption,
         "parameters": [
-            [
-                f"{name.replace('_', ' ')} {SYMBOLS.get(name.removesuffix('s'), '')}".strip(),
-                _shown(value),
-            ]
+            [f"{name.replace('_', ' ')} {_symbol(name)}".strip(), _shown(value)]
             for name, value in figure.parameters.items()
         ],
         "reading": [

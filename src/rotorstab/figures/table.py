@@ -51,7 +51,7 @@ class Table:
 _GIVEN = (
     ("length of the shaft", "L", "m", "length"),
     ("diameter of the shaft", "φ", "m", "diameter"),
-    ("Young's modulus", "E", "Pa", "youngs_modulus"),
+    ("Young’s modulus", "E", "Pa", "youngs_modulus"),
     ("shear modulus", "G", "Pa", "shear_modulus"),
     ("density", "ρ", "kg/m³", "density"),
     ("shear coefficient", "κ", "-", "shear_coefficient"),
