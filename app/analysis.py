@@ -9,41 +9,28 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from rotorstab import (
     ResonanceTable,
-    ShaftDisk,
-    System,
-    WhirlCurves,
     bolotin_chart,
-    campbell_diagram,
-    critical_load,
     critical_speeds,
-    flutter_load,
-    fundamental_frequency,
-    load_frequency_curves,
-    lumped,
     resonances,
 )
 from rotorstab.charts import (
     Chart,
     GrowthGrid,
     campbell_chart,
-    error_loads,
     instability_chart,
     load_frequency_chart,
-    stiffness_charts,
 )
-from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
 from rotorstab.stability import StabilityChart
-from rotorstab.stiffness import largest_exact_load
-from rotorstab.whirl import mode_names, named_frequencies
 from rotorstab.window import Model, Window
 
+from .curves import campbell, flutter, load_curves, rotor_numbers, whirl_numbers
 from .growth import Detail, known_map
 from .state import State
 
@@ -52,20 +39,13 @@ __all__ = [
     "FloquetAnswer",
     "Model",
     "Result",
-    "error_table",
-    "load_kinds",
     "model_of",
-    "paper_figure",
     "solve",
-    "stiffness_comparison",
     "window_of",
 ]
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
-LOADS = 400
-SPEEDS = 200
-LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,62 +91,6 @@ class Result:
     floquet: FloquetAnswer
 
 
-@lru_cache(maxsize=256)
-def _rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
-    """Return p̄_cr, ω_n and the follower flutter load, all of the resting rotor."""
-    at_rest = lumped(rotor, 0.0, 1.0)
-    buckling = float(critical_load(rotor.shear))
-    return buckling, fundamental_frequency(at_rest), flutter_load(at_rest)
-
-
-@lru_cache(maxsize=256)
-def _flutter(rotor: ShaftDisk, spin_speed: float) -> float:
-    return flutter_load(lumped(rotor, spin_speed, 1.0))
-
-
-def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
-    """Return the load axis: from tension to past buckling and flutter, where they are near."""
-    buckling = _rotor_numbers(rotor)[0]
-    pole = float(largest_exact_load(rotor.shear))
-    flutter = _flutter(rotor, spin_speed)
-    far = max(1.6 * buckling, 1.2 * flutter if flutter < 0.8 * pole else 0.0)
-    step = 0.5
-    low = -step * np.ceil(buckling / step)
-    return np.linspace(low, min(step * np.ceil(far / step), 0.9 * pole), LOADS)
-
-
-def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:
-    """Return name, tangency and stiffness law of each set of load–frequency curves."""
-    shares = {"axial": 0.0, "follower": 1.0}
-    if tangency not in shares.values():
-        shares["partly"] = tangency
-    laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
-    if kind != "lumped":
-        laws = ("linear",)  # the distributed shaft has no other
-    return [
-        (name + (" exact" if law == "exact" else ""), share, law)
-        for law in laws
-        for name, share in shares.items()
-    ]
-
-
-@lru_cache(maxsize=128)
-def _load_curves(
-    model: Model, spin_speed: float, tangency: float, stiffness: str
-) -> dict[str, WhirlCurves]:
-    loads = _loads(model.rotor, spin_speed)
-    return {
-        name: load_frequency_curves(model.system(spin_speed, share, law), loads)
-        for name, share, law in load_kinds(model.kind, tangency, stiffness)
-    }
-
-
-@lru_cache(maxsize=128)
-def _campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
-    speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
-    return campbell_diagram(model.system(0.0, tangency), speeds, load)
-
-
 def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> float:
     """Return the lowest θ/ω_n that the map shows, inf where it is blank, 0 where it is whole."""
     known = np.isfinite(growth.growth).any(axis=0)
@@ -193,18 +117,9 @@ def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[
     } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
 
 
-def _frequencies(system: System, load: float) -> dict[str, list[float]]:
-    """Return the whirl frequencies by name, as [real, imaginary]."""
-    found = named_frequencies(system, load)
-    return {
-        name: [float(value.real), float(value.imag)]
-        for name, value in zip(mode_names(system.size), found, strict=True)
-    }
-
-
 def _reference(inputs: Mapping[str, Any]) -> float:
     """Return the load that the load factors refer to."""
-    buckling, _, flutter_at_rest = _rotor_numbers(inputs["model"].rotor)
+    buckling, _, flutter_at_rest = rotor_numbers(inputs["model"].rotor)
     reference = buckling if inputs["reference"] == "buckling" else flutter_at_rest
     if not np.isfinite(reference):
         raise ValueError(
@@ -215,7 +130,7 @@ def _reference(inputs: Mapping[str, Any]) -> float:
 
 def _window(inputs: Mapping[str, Any]) -> Window:
     """Return what the growth map depends on."""
-    frequency = _rotor_numbers(inputs["model"].rotor)[1]
+    frequency = rotor_numbers(inputs["model"].rotor)[1]
     reference = _reference(inputs)
     return Window(
         inputs["model"],
@@ -233,14 +148,14 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
     inputs = dict(items)
     model: Model = inputs["model"]
     rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
-    buckling, frequency, _ = _rotor_numbers(rotor)
+    buckling, frequency, _ = rotor_numbers(rotor)
     reference = _reference(inputs)
     static = inputs["static_load_factor"] * reference
     top = inputs["largest_factor"]
     frequency_range = (inputs["lowest_frequency"], inputs["highest_frequency"])
     system = model.system(spin, tangency)
     plain = model.undamped().system(spin, tangency)
-    flutter = _flutter(rotor, spin)
+    flutter_now = flutter(rotor, spin)
     made = known_map(_window(inputs), settled)
     growth, mask = made.growth, made.mask
     grid = GrowthGrid(
@@ -262,21 +177,21 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             [(row.centre / frequency, row.name) for row in table.tongues],
         ),
         load_frequency_chart(
-            _load_curves(model, spin, tangency, inputs["stiffness"]),
+            load_curves(model, spin, tangency, inputs["stiffness"]),
             static,
-            {"buckling": buckling, "flutter": flutter},
+            {"buckling": buckling, "flutter": flutter_now},
         ),
-        campbell_chart(_campbell(model, tangency, static), spin, critical_speeds(system, static)),
+        campbell_chart(campbell(model, tangency, static), spin, critical_speeds(system, static)),
     )
     return Result(
         charts={chart.key: chart for chart in charts},
         numbers={
             "buckling": buckling,
             "fundamental": frequency,
-            "flutter": flutter if np.isfinite(flutter) else None,
+            "flutter": flutter_now if np.isfinite(flutter_now) else None,
             "static_load": static,
             "reference": reference,
-            "whirl": _frequencies(system, static),
+            "whirl": whirl_numbers(system, static),
             "rigid": rotor.polar_inertia <= 2 * rotor.diametral_inertia * (1 + 1e-12),
         },
         floquet=FloquetAnswer(
@@ -339,27 +254,3 @@ def solve(state: State, settled: Detail = True) -> Result:
         With words for the page, where these inputs have no answer.
     """
     return _solve(tuple(_drawn(state).items()), settled)
-
-
-@lru_cache(maxsize=128)
-def stiffness_comparison(shear: float, tangency: float) -> dict[str, Chart]:
-    """Return the charts of exact against linear coefficients by key.
-
-    The load range is the paper's: ±p̄_cr axial, ±12.3 follower, in between by μ.
-    """
-    reach = float(critical_load(shear)) * (1 + tangency * 4.2)
-    return {chart.key: chart for chart in stiffness_charts(shear, tangency, (-reach, reach))}
-
-
-@lru_cache(maxsize=128)
-def error_table(shear: float, tangency: float) -> list[list[float]]:
-    """Return [tension 1 %, compression 1 %, tension 5 %, compression 5 %] of k̄₁₁ and k̄₂₂."""
-    one, five = (error_loads(shear, tangency, level) for level in (0.01, 0.05))
-    return [[*map(float, one[i, i]), *map(float, five[i, i])] for i in (0, 1)]
-
-
-@cache
-def paper_figure(number: int, floquet: bool = False) -> Figure:
-    """Return a figure of the paper by its number, with Floquet's answer where it has one."""
-    with_floquet = floquet and number in FLOQUET_FIGURES
-    return FIGURES[number](floquet=True) if with_floquet else FIGURES[number]()

@@ -16,7 +16,8 @@ import panel as pn
 from rotorstab.charts import chart_figure
 from rotorstab.figures import FIGURES
 
-from .analysis import CHARTS, paper_figure, solve
+from .analysis import CHARTS, solve
+from .comparisons import paper_figure
 from .controls import Controls
 from .growth import Detail
 from .pages import PAGES, Page

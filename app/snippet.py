@@ -4,16 +4,8 @@ from __future__ import annotations
 
 from rotorstab.window import ELEMENTS, MODES, PIXELS, map_options
 
-from .analysis import (
-    BOUNDARY_ROWS,
-    LARGEST_SPEED,
-    LOADS,
-    SPEEDS,
-    Result,
-    load_kinds,
-    model_of,
-    solve,
-)
+from .analysis import BOUNDARY_ROWS, Result, model_of, solve
+from .curves import LARGEST_SPEED, LOADS, SPEEDS, load_kinds
 from .inspector import inspect
 from .state import State
 

@@ -8,7 +8,7 @@ from typing import Any
 from rotorstab.charts.written import written
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
-from ..analysis import paper_figure
+from ..comparisons import paper_figure
 from ..printing import printer
 from ..state import PRESETS, SYMBOLS, State
 from .base import Page, Reply

@@ -18,7 +18,7 @@ from tornado.web import HTTPError, RequestHandler
 from . import dashboard, health, sessions
 from .settings import Settings
 
-CACHED = ("analysis", "growth", "inspector", "lessons.quantities")
+CACHED = ("analysis", "curves", "comparisons", "growth", "inspector", "lessons.quantities")
 BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)
 
 UPDATES = Histogram(
