@@ -59,8 +59,9 @@ def test_the_spy_sees_every_way_into_the_solver():
     points = {(module.__name__, name) for module, name, _ in spy.entry_points()}
     assert {
         ("app.growth", "floquet_map"),
-        ("app.analysis", "lumped"),
-        ("app.analysis", "campbell_diagram"),
+        ("app.curves", "lumped"),
+        ("app.curves", "campbell_diagram"),
+        ("app.analysis", "bolotin_chart"),
         ("app.inspector", "time_response"),
         ("app.inspector", "floquet_solution"),
         ("app.lessons.situation", "critical_load"),
