@@ -39,7 +39,7 @@ unit: $(VENV)/dev.stamp ## the tests that need no browser
 bench: $(VENV)/dev.stamp ## time the solver and the redraw
 	$(PY) -m benchmarks
 
-screenshots: $(VENV)/dev.stamp ## write the pictures of the README
+screenshots: $(VENV)/dev.stamp ## picture every page in build/screenshots, and the README's
 	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m docs.screenshots
 
 lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes

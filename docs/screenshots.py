@@ -1,4 +1,4 @@
-"""Write pictures of every page, at three widths, in both themes: `python -m docs.screenshots`.
+"""Write pictures of every page and lesson, in both themes: `python -m docs.screenshots [FOLDER]`.
 
 Serves the dashboard on a free loopback port and photographs it with headless Chromium.
 """
@@ -6,6 +6,7 @@ Serves the dashboard on a free loopback port and photographs it with headless Ch
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -16,11 +17,20 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
 
+from app.lessons import library
 from tests.browser import find_browser
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGES = ("explore", "stiffness", "paper", "lessons")
-SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "phone": (390, 844)}
+VIEWS = {
+    "explore": "#explore",
+    "inspector": "?v=1&at=1&f=1.0844&b=0.5#explore",
+    "stiffness": "#stiffness",
+    "paper": "#paper",
+    "lessons": "#lessons",
+    **{f"lesson-{key}": f"#lesson/{key}/1" for key in library().lessons},
+}
+SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "tablet": (820, 1100), "phone": (390, 844)}
+README = "explore-desktop-light.png"
 FLAGS = [
     "--headless",
     "--no-sandbox",
@@ -56,18 +66,18 @@ def serve() -> tuple[subprocess.Popen[bytes], str]:
     raise SystemExit("the dashboard did not start; try `make serve` to see why")
 
 
-def photograph(browser: Browser, address: str, page: str, size: str, theme: str, to: Path) -> None:
+def photograph(browser: Browser, address: str, size: str, theme: str, to: Path) -> None:
     """Save one picture of a page as a user first sees it."""
     width, height = SIZES[size]
     context = browser.new_context(
         viewport={"width": width, "height": height}, color_scheme=theme, device_scale_factor=1
     )
     tab = context.new_page()
-    tab.goto(f"{address}#{page}")
-    tab.wait_for_function(
-        "window.rotorstab && window.rotorstab.last?.page === location.hash.slice(1)"
-    )
-    if page == "paper":
+    tab.goto(address)
+    tab.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
+    if "#lesson/" in address:
+        tab.locator(".lesson").wait_for(state="visible")
+    if "#paper" in address:
         tab.wait_for_selector(".picture img", timeout=60_000)
     tab.wait_for_timeout(1500)
     full = tab.evaluate("document.documentElement.scrollHeight")
@@ -77,8 +87,8 @@ def photograph(browser: Browser, address: str, page: str, size: str, theme: str,
     context.close()
 
 
-def main(folder: str = "docs/images") -> None:
-    """Write one picture for each page, size and theme into a folder."""
+def main(folder: str = "build/screenshots") -> None:
+    """Write one picture for each view, size and theme into a folder, and the README's."""
     chromium = find_browser()
     if chromium is None:
         raise SystemExit("no Chromium found: set CHROMIUM=/path/to/chrome")
@@ -88,12 +98,13 @@ def main(folder: str = "docs/images") -> None:
     try:
         with sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-            for page in PAGES:
+            for view, place in VIEWS.items():
                 for size in SIZES:
                     for theme in ("light", "dark"):
-                        to = target / f"{page}-{size}-{theme}.png"
-                        photograph(browser, address, page, size, theme, to)
+                        to = target / f"{view}-{size}-{theme}.png"
+                        photograph(browser, address + place, size, theme, to)
                         print(to)
+            shutil.copy(target / README, ROOT / "docs" / "images" / README)
             browser.close()
     finally:
         os.killpg(process.pid, signal.SIGTERM)
