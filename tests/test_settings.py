@@ -148,7 +148,12 @@ def test_make_serve_works_in_a_path_with_a_space(tmp_path):
     (folder / "deploy").symlink_to(ROOT / "deploy", target_is_directory=True)
     done = subprocess.run(
         ["sh", folder / "deploy" / "start.sh", folder / "no app"],
-        env=os.environ | {"PYTHON": sys.executable, "ROTORSTAB_SECRET_FILE": f"{folder}/secret"},
+        env=os.environ
+        | {
+            "PYTHON": sys.executable,
+            "PORT": str(free_port()),  # whoever tests may be serving
+            "ROTORSTAB_SECRET_FILE": f"{folder}/secret",
+        },
         capture_output=True,
         text=True,
         check=False,
