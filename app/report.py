@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
+from .lessons.markdown import plain
 from .state import SYMBOLS, State
 from .units import key_numbers, load_in, named_inputs, shown_scales
 
@@ -29,6 +30,7 @@ svg { display: block; width: 100%; height: auto; margin: auto; }
 footer { color: #4e5a69; font-size: 7.5pt; line-height: 1.2; margin-top: 2mm;
   overflow-wrap: anywhere; }
 a { color: inherit; }
+sub { font-size: 0.75em; line-height: 0; } .symbol { font-style: italic; white-space: nowrap; }
 @media print { body { margin: 0; } }
 """
 _NUMBERS = {
@@ -41,13 +43,13 @@ _LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness", "initial", "seed", "
 
 
 def _table(rows: Sequence[tuple[str, str]]) -> str:
-    cells = "".join(f"<tr><td>{escape(a)}</td><td>{escape(b)}</td></tr>" for a, b in rows)
+    cells = "".join(f"<tr><td>{plain(a)}</td><td>{plain(b)}</td></tr>" for a, b in rows)
     return f"<table>{cells}</table>"
 
 
 def _label(name: str) -> str:
-    plain, _, unit = name.partition(" ")
-    return f"{State.param[plain].label} {SYMBOLS.get(plain, '')} {unit}".strip()
+    field, _, unit = name.partition(" ")
+    return f"{State.param[field].label} {SYMBOLS.get(field, '')} {unit}".strip()
 
 
 def _shown(value: Any) -> str:
@@ -58,8 +60,8 @@ def _shown(value: Any) -> str:
 
 def page_address(given: object) -> str:
     """Return the page's own address as the browser gave it, or nothing where it is none."""
-    plain = r"https?://(?:[\w.-]{1,253}|\[[\da-fA-F:]{2,45}\])(?::\d{1,5})?(?:/[\w./~%-]{0,300})?"
-    return given if isinstance(given, str) and re.fullmatch(plain, given, re.ASCII) else ""
+    form = r"https?://(?:[\w.-]{1,253}|\[[\da-fA-F:]{2,45}\])(?::\d{1,5})?(?:/[\w./~%-]{0,300})?"
+    return given if isinstance(given, str) and re.fullmatch(form, given, re.ASCII) else ""
 
 
 def report_html(
@@ -126,7 +128,7 @@ def report_html(
 <head><meta charset="utf-8"><title>rotorstab report</title><style>{_STYLE}</style></head>
 <body>
 <h1>Parametric instability of a shaft–disk rotor</h1>
-{"".join(f"<p>{escape(one)}</p>" for one in words)}
+{"".join(f"<p>{plain(one)}</p>" for one in words)}
 <div class="wide">{drawn[0]}</div>
 <div class="two">{half}</div>
 <div class="three">

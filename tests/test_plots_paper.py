@@ -8,6 +8,9 @@ import pytest
 hv = pytest.importorskip("holoviews")
 pytest.importorskip("matplotlib")
 
+from app.analysis import CHARTS  # noqa: E402
+from app.session import Session  # noqa: E402
+from rotorstab.charts import chart_figure  # noqa: E402
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES  # noqa: E402
 from rotorstab.plots_paper import PRINT_FORMATS, figure_files, paper_layout  # noqa: E402
 
@@ -48,16 +51,12 @@ def overlaps(boxes):
     ]
 
 
-@pytest.mark.parametrize(
-    ("number", "options"),
-    [*((n, {}) for n in FIGURES), *((n, {"floquet": True}) for n in FLOQUET_FIGURES)],
-)
-def test_no_text_covers_another_or_leaves_the_page(number, options, monkeypatch):
+def nothing_is_covered(figure, monkeypatch):
     from matplotlib import pyplot
 
     kept = []
     monkeypatch.setattr(pyplot, "close", kept.append)
-    figure_files(FIGURES[number](**options), [])
+    figure_files(figure, [])
     monkeypatch.undo()
     drawn = kept[-1]
     drawn.draw_without_rendering()
@@ -85,6 +84,14 @@ def test_no_text_covers_another_or_leaves_the_page(number, options, monkeypatch)
     pyplot.close(drawn)
 
 
+@pytest.mark.parametrize(
+    ("number", "options"),
+    [*((n, {}) for n in FIGURES), *((n, {"floquet": True}) for n in FLOQUET_FIGURES)],
+)
+def test_no_text_covers_another_or_leaves_the_page(number, options, monkeypatch):
+    nothing_is_covered(FIGURES[number](**options), monkeypatch)
+
+
 def test_drawing_leaves_the_current_backend_alone():
     hv.renderer("bokeh")
     before = hv.Store.current_backend
@@ -98,3 +105,20 @@ def test_drawing_leaves_the_current_backend_alone():
 def test_other_formats_are_refused():
     with pytest.raises(ValueError, match="`file format` must be one of 'pdf', 'svg', 'png'"):
         figure_files(FIGURES[2](points=11), ["jpg"])
+
+
+@pytest.mark.parametrize("units", ["non-dimensional", "SI"])
+def test_no_text_of_an_exported_live_chart_is_cut(units, monkeypatch):
+    session = Session()
+    values = {"spin_speed": 1.0, "marker": True, "units": units, "internal_damping": 0.02}
+    session.respond({"type": "change", "values": values})
+    for name in ("base", "a rather long name of $x"):
+        session.respond({"type": "change", "values": {"polar_inertia": 0.1 * len(name)}})
+        session.respond({"type": "pin", "label": name})
+    session.respond({"type": "change", "values": {"polar_inertia": 1.6}})
+    drawn = session.pages["explore"].compute(session.state)
+    for key in CHARTS:
+        figure = chart_figure(drawn[key], {})
+        assert "base" in figure.groups()
+        nothing_is_covered(figure, monkeypatch)
+    assert figure.groups()["marked point"].color != figure.groups()["critical speed"].color

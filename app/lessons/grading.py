@@ -18,6 +18,7 @@ __all__ = ["Grade", "Unanswerable", "grade", "number_text", "solution", "unanswe
 _LONGEST = 40
 _NOT_A_NUMBER = "Write a number only, without unit, like 1.25."
 _NOT_YET = "Choose an answer first."
+_OTHERWISE = "Reached, but with other sliders than this step’s: leave those as they were."
 
 
 class Unanswerable(ValueError):
@@ -139,7 +140,8 @@ def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
     value : object
         What came from the browser: a number or its text, or a choice's index.
     inputs : mapping
-        The page's inputs as the student has set them, which a goal is asked of.
+        The page's inputs as the student has set them. A goal is asked of those that the step
+        or its Try moves; the others count as they were when it began.
 
     Raises
     ------
@@ -150,10 +152,14 @@ def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
     if question.kind == "goal":
         assert question.goal is not None
         try:
-            reached = question.goal.holds(_values(step, inputs), question.tolerance)
+            tried = {name for name, value in step.after.items() if value != step.before[name]}
+            moved = {name: inputs[name] for name in {*step.move, *tried}}
+            if question.goal.holds(_values(step, {**step.before, **moved}), question.tolerance):
+                return Grade(True, "You are there.")
+            elsewhere = question.goal.holds(_values(step, inputs), question.tolerance)
         except ValueError as error:
             return Grade(False, str(plain(str(error))))
-        return Grade(True, "You are there.") if reached else Grade(False, question.hint)
+        return Grade(False, _OTHERWISE if elsewhere else question.hint)
     answer = solution(step)
     number = _number(value)
     if question.kind == "choice":

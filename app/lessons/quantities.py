@@ -108,7 +108,7 @@ QUANTITIES = (
     Quantity("static_load", "steady load p̄_0", "the steady load p̄₀", lambda at: at.static),
     Quantity(
         "critical.<way>",
-        "critical speed, {0}",
+        "first critical speed, {0}",
         "lowest spin speed with a synchronous whirl, forward (ω = Ω̄) or backward (ω = −Ω̄)",
         _speed,
     ),
@@ -120,7 +120,7 @@ QUANTITIES = (
     ),
     Quantity(
         "critical.<way>.count",
-        "critical speeds, {0}",
+        "how many critical speeds, {0}",
         "how many there are",
         lambda at, way: float(len(getattr(at.speeds, way))),
     ),
@@ -177,7 +177,7 @@ QUANTITIES = (
     ),
     Quantity(
         "threshold",
-        "β_d that damping holds",
+        "threshold: β_d that damping holds",
         "the smallest β_d that destabilises, by the resonance table",
         _threshold,
     ),

@@ -58,15 +58,11 @@ class Outline:
     window: tuple[float, float]
 
     @property
-    def edges(self) -> Array:
-        """Left and right, (2, m), NaN along the window's border: no edge is there."""
-        edges = np.array([self.left, self.right])
-        at = np.pad(
-            np.isclose(edges, np.array([self.window]).T, rtol=1e-9, atol=0.0),
-            ((0, 0), (1, 1)),
-            "edge",
-        )
-        return np.where(at[:, :-2] & at[:, 1:-1] & at[:, 2:], np.nan, edges)
+    def borders(self) -> NDArray[np.bool_]:
+        """Where left and right, (2, m), are the window's and not an edge."""
+        ends = np.array([self.left, self.right])
+        at: NDArray[np.bool_] = np.isclose(ends, np.array([self.window]).T, rtol=1e-9, atol=0.0)
+        return at
 
     @property
     def area(self) -> float:

@@ -231,7 +231,7 @@ def _map_hover(chart: Chart) -> HoverTool:
     """Return a hover tool that gives the place, the growth and both verdicts."""
     words = CustomJSHover(
         code="""
-        return ["both stable", "Floquet: unstable, Bolotin: no region",
+        return ["stable by both", "Floquet: unstable, Bolotin: no region",
                 "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
         """
     )

@@ -36,7 +36,9 @@ _SINGLE_INCHES = (5.6, 3.8)
 _WIDE_INCHES = (7.2, 2.75)  # with Floquet: a panel a row, for narrow tongues
 _FILL = 0.38
 _FLOQUET = "unstable (Floquet)"
+_ROUND = "marked point"  # other points are diamonds
 _BOLOTIN = "Bolotin region"
+_LEGEND = {"frameon": False, "handlelength": 3.4}
 _SETTINGS = {
     "font.size": 9.0,
     "font.family": "DejaVu Sans",
@@ -53,6 +55,7 @@ _SETTINGS = {
 
 def _mathtext(text: str) -> str:
     """Return the text with barred, indexed and Greek symbols as Matplotlib mathtext."""
+    text = text.replace("$", r"\$")  # a pin's name may have any sign
     text = re.sub(
         "(.)\u0304([₀-₉]*)",
         lambda m: rf"$\bar{{{m[1]}}}" + (f"_{{{m[2].translate(_SUBSCRIPTS)}}}$" if m[2] else "$"),
@@ -68,6 +71,13 @@ def _axis_label(symbol: str, unit: str) -> str:
 def _color(line: Series | Region) -> str:
     """Return the line's own colour, or its style's."""
     return getattr(line, "color", None) or _COLORS[line.style]
+
+
+def _point(line: Series, printed: bool) -> str:
+    """Return the sign of a single point."""
+    if line.group == _ROUND:
+        return "o" if printed else "circle"
+    return "D" if printed else "diamond"
 
 
 def _edges(region: Region) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
@@ -168,7 +178,7 @@ def _panel_overlay(panel: Panel, backend: str) -> hv.Overlay:
     lines += [
         hv.Points((line.x, line.y), ["x", "y"]).opts(
             **({"s": 22} if printed else {"size": 8}),
-            marker="D" if printed else "diamond",
+            marker=_point(line, printed),
             color=_color(line),
             backend=backend,
         )
@@ -336,17 +346,14 @@ def _kinds(figure: Figure) -> list[tuple[str, str, float]]:
 
 def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
     """Place the panels, the common legend and the caption of a rendered layout."""
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
-
     columns = _columns(figure)
     rows = -(-len(figure.panels) // columns)
     across, down = _PANEL_INCHES if columns > 1 else _SINGLE_INCHES
     if figure.has_floquet:
         across, down = _WIDE_INCHES
-    groups = figure.groups()
-    entries = max(2, int(columns * across / (1.44 if figure.has_floquet else 2.6)))
-    lower = 0.35 + 0.18 * -(-(len(groups) + len(_kinds(figure))) // entries)
+    handles, names = _legend_entries(figure)
+    entries = _fitting(drawn, handles, names, columns * across)
+    lower = 0.35 + 0.18 * -(-len(names) // entries)
     width, height = columns * across, rows * down + lower
     drawn.set_size_inches(width, height)
     axes = [one for one in drawn.axes if one.get_title()]
@@ -361,13 +368,30 @@ def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
             )
         )
         _finish(one, panel)
+    drawn.legend(
+        handles=handles,
+        labels=names,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 0.24 / height),
+        ncols=entries,
+        **_LEGEND,
+    )
+    drawn.text(0.5, 0.1 / height, _mathtext(heading), ha="center", va="bottom", fontsize=9.0)
+
+
+def _legend_entries(figure: Figure) -> tuple[list[Any], list[str]]:
+    """Return the signs and the names of the common legend."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    groups = figure.groups()
     handles: list[Any] = [
         Line2D(
             [],
             [],
             color=_color(line),
             linestyle=_MATPLOTLIB_DASH[line.style] if line.x.size > 1 else "",
-            marker="" if line.x.size > 1 else "D",
+            marker="" if line.x.size > 1 else _point(line, True),
         )
         for line in groups.values()
     ]
@@ -375,13 +399,18 @@ def _arrange(drawn: Any, figure: Figure, heading: str) -> None:
     for name, color, alpha in _kinds(figure):
         handles.append(Patch(facecolor=color, alpha=alpha, edgecolor="none"))
         names.append(name)
-    drawn.legend(
-        handles=handles,
-        labels=names,
-        loc="lower center",
-        bbox_to_anchor=(0.5, 0.24 / height),
-        ncols=min(entries, len(names)),
-        frameon=False,
-        handlelength=3.4,
-    )
-    drawn.text(0.5, 0.1 / height, _mathtext(heading), ha="center", va="bottom", fontsize=9.0)
+    return handles, names
+
+
+def _fitting(drawn: Any, handles: list[Any], names: list[str], width: float) -> int:
+    """Return how many entries of the legend go into one row of a width [in]."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    renderer = FigureCanvasAgg(drawn).get_renderer()
+    for entries in range(min(5, len(names)), 1, -1):
+        legend = drawn.legend(handles=handles, labels=names, ncols=entries, **_LEGEND)
+        room = width * drawn.dpi - legend.get_window_extent(renderer).width
+        legend.remove()
+        if room >= 0:
+            return entries
+    return 1

@@ -110,6 +110,12 @@ def _growth_layers(
     ]
 
 
+def _opened(x: Array, y: Array, border: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Return a line with gaps where it runs along the window's border: no edge is there."""
+    along = np.flatnonzero(border[:-1] & border[1:]) + 1
+    return np.insert(x, along, np.nan), np.insert(y, along, np.nan)
+
+
 def _edge_lines(
     outlines: Sequence[Outline], fundamental_frequency: float, reference_load: float
 ) -> dict[str, list[Any]]:
@@ -120,10 +126,11 @@ def _edge_lines(
     gap = np.array([np.nan])
     lines = Lines()
     for one in outlines:
-        left, right = one.edges
-        theta = np.concatenate([left, gap, right[::-1]]) / fundamental_frequency
-        load = np.concatenate([one.pulsating_loads, gap, one.pulsating_loads[::-1]])
-        load /= reference_load
+        loads = one.pulsating_loads
+        left, up = _opened(one.left, loads, one.borders[0])
+        right, down = _opened(one.right[::-1], loads[::-1], one.borders[1, ::-1])
+        theta = np.concatenate([left, gap, right]) / fundamental_frequency
+        load = np.concatenate([up, gap, down]) / reference_load
         order = f", order {one.order}" if one.order > 1 else ""
         lines.add(theta, load, f"tongue {one.name}{order}" if one.order else "unstable", "edge")
     return lines.columns

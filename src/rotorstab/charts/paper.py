@@ -12,6 +12,10 @@ from .structure import ROLES, Chart, axis_symbol
 
 __all__ = ["chart_figure"]
 
+_POINTS = {
+    "critical speeds": ("critical speed", "#0f8a6a"),
+    "marker": ("marked point", "#c2255c"),
+}
 _STYLES = {"solid": "solid", "9 5": "dashed", "2 4": "dotted"}
 
 
@@ -59,12 +63,14 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
                     unstable.append(Region(name, group, "solid", x[inside], y[inside]))
                     continue
                 style: Any = _STYLES.get(look.dash, "dashdot")
-                series.append(Series(name, look.meaning, style, x, y, look.color))
+                # a pinned curve is called by its pin's own name
+                meaning = name.rpartition(": ")[0] if role.startswith("pin ") else look.meaning
+                series.append(Series(name, meaning, style, x, y, look.color))
         elif layer.kind == "points":
             for x, y, name in zip(data["x"], data["y"], data["name"], strict=True):
                 point = np.array([x]), np.array([y])
-                meaning = "critical speed" if layer.label == "critical speeds" else layer.label
-                series.append(Series(name, meaning, "solid", *point, "#0f8a6a"))
+                meaning, color = _POINTS.get(layer.label, (layer.label, "#0f8a6a"))
+                series.append(Series(name, meaning, "solid", *point, color))
         elif layer.kind == "regions":
             for x, y, name in zip(*data.values(), strict=True):
                 regions.append(Region(name, name, "solid", x, y))
