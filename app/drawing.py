@@ -42,7 +42,7 @@ class Drawing:
 class _Kind:
     """What a figure's parts depend on; its data, units, names and ranges are patched."""
 
-    key: str
+    square: bool
     layers: tuple[tuple[str, str], ...]
     chart: Chart = field(compare=False)
 
@@ -61,7 +61,6 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
         # nothing is ever selected or muted; each of these models is paid for with every page
         renderer.update(selection_glyph="auto", nonselection_glyph="auto", muted_glyph="auto")
         one["source"].data = {}
-    figure.name = kind.key
     coloured = frozenset(
         layer.label for layer, one in named if layer.kind == "map" and "color_mapper" in one
     )
@@ -72,9 +71,10 @@ def draw(chart: Chart) -> Drawing:
     """Return a figure of its own for a chart, without data and what comes and goes."""
     fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
     layers = tuple((layer.kind, layer.label) for layer in fixed)
-    kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
+    kind = _Kind(chart.square, layers, replace(chart, layers=fixed))
     text, coloured, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
+    figure.name = chart.key
     renderers = {one.name: one for one in figure.renderers}
     return Drawing(
         figure,

@@ -206,7 +206,7 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     monkeypatch.setattr(window, "stability_chart", note)
     state = State()
     assert state.change(values) == {}
-    answer = analysis.solve(state, settled=True).floquet
+    answer = analysis.solve(state, "map").floquet
     assert all(one <= max(window.MOST_WORK.values()) for one in spent)
     assert answer.followed_from > 0
     assert "the map is blank" in verdict(answer)

@@ -8,6 +8,7 @@ import pytest
 
 from app.analysis import CHARTS, solve
 from app.inspector import inspect
+from app.lessons.markdown import plain as as_html
 from app.point_words import Units
 from app.report import report_html
 from app.state import State
@@ -206,6 +207,6 @@ def test_the_report_in_si_holds_the_verdict_in_si(result):
     state.change({"units": "SI"})
     words = verdict(result.floquet, SCALES)
     page = report_html(state, result.numbers, [words], {"a": "<svg></svg>"}, "v=1")
-    assert words in page
+    assert as_html(words) in page
     buckling = result.numbers["buckling"] * SCALES.load
     assert f"{buckling:.6g}" in page
