@@ -117,6 +117,12 @@ def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[
     } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
 
 
+def _flutter_name(inputs: Mapping[str, Any]) -> str:
+    """Return what the flutter load is called among curves that may be of the exact stiffness."""
+    linear = inputs["model"].kind != "lumped" or inputs["stiffness"] == "linear"
+    return "flutter" if linear else "flutter, linear"
+
+
 def _reference(inputs: Mapping[str, Any]) -> float:
     """Return the load that the load factors refer to."""
     buckling, _, flutter_at_rest = rotor_numbers(inputs["model"].rotor)
@@ -179,7 +185,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
         load_frequency_chart(
             load_curves(model, spin, tangency, inputs["stiffness"]),
             static,
-            {"buckling": buckling, "flutter": flutter_now},
+            {"buckling": buckling, _flutter_name(inputs): flutter_now},
         ),
         campbell_chart(campbell(model, tangency, static), spin, critical_speeds(system, static)),
     )

@@ -23,9 +23,11 @@ ASSETS = Path(__file__).parent / "assets"
 STYLES = ("page.css", "inspector.css", "lessons.css")
 # page.js first: the others hang themselves on what it makes
 SCRIPTS = ("page.js", "units.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
+# those that are drawn depend on the load type and the stiffness chosen
+LOADS = ("axial", "follower", "partly", "axial exact", "follower exact", "partly exact")
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
-    "load_frequency": ("axial", "follower", "growing", "limit", "current"),
+    "load_frequency": (*LOADS, "growing", "limit", "current"),
     "campbell": ("backward", "forward", "growing", "synchronous", "current"),
     "coefficients": ("exact", "linear"),
     "errors": ("k11", "k22", "level"),
@@ -43,6 +45,17 @@ def meaning(role: Role) -> Markup | str:
     return texts.format(role.meaning, plain)
 
 
+def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
+    """Return what the browser knows an entry by: its switch, or the curve that it names."""
+    if name in switched:
+        return Markup(' data-layer="{}"').format(switched[name])
+    if name in LOADS:
+        return Markup(' data-curve="{}"{}').format(
+            name, "" if name in LOADS[:2] else Markup(" hidden")
+        )
+    return ""
+
+
 def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyType({})) -> Markup:
     """Return an HTML legend whose strokes are those of the chart.
 
@@ -56,7 +69,7 @@ def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyTyp
                 '<li{}><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
                 'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
             ).format(
-                Markup(' data-layer="{}"').format(switched[name]) if name in switched else "",
+                _attribute(name, switched),
                 role.color,
                 role.width,
                 "" if role.dash == "solid" else role.dash,

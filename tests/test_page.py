@@ -571,3 +571,26 @@ def test_axe_finds_nothing_serious_in_any_lesson(open_page):
         theme = ("dark", "light")[number % 2]
         page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
         assert serious(page) == [], (key, theme)
+
+
+def test_the_legend_names_the_curves_that_are_drawn(open_page):
+    page = open_page(path="/app?v=1&load=partly&stiff=both")
+    settle(page)
+
+    def named():
+        return page.evaluate(
+            "[...document.querySelectorAll('[data-curve]')]"
+            ".filter((one) => one.getClientRects().length).map((one) => one.dataset.curve)"
+        )
+
+    assert named() == [
+        "axial",
+        "follower",
+        "partly",
+        "axial exact",
+        "follower exact",
+        "partly exact",
+    ]
+    page.evaluate("rotorstab.send({ type: 'reset' })")
+    page.wait_for_function("rotorstab.last.values.stiffness === 'linear'")
+    assert named() == ["axial", "follower"]

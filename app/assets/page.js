@@ -157,12 +157,20 @@ window.rotorstab = (() => {
       entry.classList.toggle("off", !on);
       entry.querySelector("button")?.setAttribute("aria-pressed", String(on));
     }
-    // the verdict speaks of them all the same
+    // the verdict speaks of Floquet all the same
     const off = Object.keys(LAYERS).filter((name) => !values[name]).map((name) => LAYERS[name]);
     const words = document.querySelector("[data-hidden-layers]");
     words.hidden = !off.length;
     const last = off.pop();
     words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. Switch on in the legend or under Charts.` : "";
+  }
+
+  // the legend names the load–frequency curves that are drawn
+  function showCurves({ load_type, stiffness, model }) {
+    const law = model === "lumped" ? stiffness : "linear"; // finite elements have no other
+    const loads = ["axial", "follower", ...(load_type === "partly" ? ["partly"] : [])];
+    const drawn = loads.flatMap((load) => [...(law === "exact" ? [] : [load]), ...(law === "linear" ? [] : [`${load} exact`])]);
+    for (const entry of document.querySelectorAll("[data-curve]")) entry.hidden = !drawn.includes(entry.dataset.curve);
   }
 
   function showGrowthUnit({ growth_unit, units }) {
@@ -252,6 +260,7 @@ window.rotorstab = (() => {
     notice.replaceChildren(...rich(notes.join(" ")));
     showLayers(data.values);
     showGrowthUnit(data.values);
+    showCurves(data.values);
     page.last = data;
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one

@@ -257,7 +257,8 @@ def _limit_labels(
             load,
             bottom + 0.08 * level * (top - bottom),
             name,
-            "upper right" if load < left + 0.75 * (right - left) else "upper left",
+            # a letter takes 3 % of a phone's chart
+            "upper right" if load < right - 0.03 * len(name) * (right - left) else "upper left",
         )
         for level, (name, load) in enumerate(limits.items())
     ]
