@@ -40,9 +40,13 @@ class Drawing:
 
 @dataclass(frozen=True)
 class _Kind:
-    """What a figure's parts depend on; its data, units, names and ranges are patched."""
+    """What a figure's parts depend on; its data, units, names and ranges are patched.
 
-    square: bool
+    Charts of one structure have a drawing each, for a copy keeps its models' ids, and those of one
+    page must differ.
+    """
+
+    key: str
     layers: tuple[tuple[str, str], ...]
     chart: Chart = field(compare=False)
 
@@ -61,6 +65,7 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
         # nothing is ever selected or muted; each of these models is paid for with every page
         renderer.update(selection_glyph="auto", nonselection_glyph="auto", muted_glyph="auto")
         one["source"].data = {}
+    figure.name = kind.key
     coloured = frozenset(
         layer.label for layer, one in named if layer.kind == "map" and "color_mapper" in one
     )
@@ -71,10 +76,9 @@ def draw(chart: Chart) -> Drawing:
     """Return a figure of its own for a chart, without data and what comes and goes."""
     fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
     layers = tuple((layer.kind, layer.label) for layer in fixed)
-    kind = _Kind(chart.square, layers, replace(chart, layers=fixed))
+    kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
     text, coloured, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
-    figure.name = chart.key
     renderers = {one.name: one for one in figure.renderers}
     return Drawing(
         figure,

@@ -21,7 +21,6 @@ from app.pages import PAGES, explore
 from app.session import Session
 from app.state import PRESETS, State
 from app.units import displayed
-from deploy.server.dashboard import draw_all
 from rotorstab import plots
 
 # a value of every input of the sidebar away from its default, and the charts that it moves
@@ -601,10 +600,21 @@ def test_sessions_share_no_part_of_a_chart():
 
 
 def test_what_is_drawn_at_the_start_is_only_copied_for_users():
-    draw_all(Session)
+    Session({"at": ["1"]})  # as a worker does before it serves
     made = _drawn.cache_info().misses
     for query in ({"at": [b"1"], "f": [b"1.7"]}, {"u": [b"SI"], "at": [b"1"]}, {"ze": [b"0.02"]}):
         session = Session(query)
-        for name in session.pages:
-            session.respond({"type": "page", "name": name})
+        session.respond({"type": "pin", "label": "a"})
+        session.respond({"type": "change", "values": {"marker": True, "shear": 0.05}})
     assert _drawn.cache_info().misses == made
+
+
+def test_no_two_charts_of_a_user_share_a_model():
+    session = Session({"at": [b"1"]})
+    seen = {}
+    for page in session.pages.values():
+        session.respond({"type": "page", "name": page.key})
+        for key, chart in page.charts.items():
+            for model in chart.figure.references():
+                assert seen.setdefault(model.id, key) == key, (model, key)
+    assert set(seen.values()) > {"instability", "orbit", "k11", "k22", "errors"}

@@ -3,7 +3,6 @@
 import importlib
 import sys
 from types import ModuleType
-from typing import Any
 
 from bokeh.settings import settings as bokeh_settings
 
@@ -25,17 +24,5 @@ def install(settings: Settings):
     if lessons:
         lessons.library()  # a broken lesson is reported now, not when the first student comes
     if session:
-        draw_all(session.Session)
-
-
-def draw_all(session: Any) -> None:
-    """Draw every live chart once: later sessions copy them, and HoloViews holds up no user.
-
-    Parameters
-    ----------
-    session : type
-        The app's `Session`.
-    """
-    made = session({"at": ["1"]})  # the inspector has charts where there is a marker
-    for page in made.pages.values():
-        page.show(made.state, False)
+        # with a marker: HoloViews draws the charts inside a point too, once, and holds up no user
+        session.Session({"at": ["1"]})
