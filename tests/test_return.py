@@ -65,7 +65,7 @@ def test_a_link_opens_on_its_lesson_and_step_as_the_sender_left_it(open_page):
     assert other.evaluate("rotorstab.last.values").items() >= wanted.items()
 
 
-@pytest.mark.parametrize("end", ["99", "0", "x", "1/2", "<b>", "%3Cscript%3E"])
+@pytest.mark.parametrize("end", ["99", "1/2", "%3Cscript%3E"])
 def test_a_senseless_step_opens_a_working_page(open_page, end):
     page = open_page(path=f"/app#lesson/{LESSON.key}/{end}")
     at_rest(page)
