@@ -117,12 +117,6 @@ def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[
     } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
 
 
-def _flutter_name(inputs: Mapping[str, Any]) -> str:
-    """Return what the flutter load is called among curves that may be of the exact stiffness."""
-    linear = inputs["model"].kind != "lumped" or inputs["stiffness"] == "linear"
-    return "flutter" if linear else "flutter, linear"
-
-
 def _reference(inputs: Mapping[str, Any]) -> float:
     """Return the load that the load factors refer to."""
     buckling, _, flutter_at_rest = rotor_numbers(inputs["model"].rotor)
@@ -172,6 +166,9 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
         made.outlines,
     )
     table = resonances(system, static, 0.1 * reference)
+    curves = load_curves(model, spin, tangency, inputs["stiffness"])
+    # the flutter load is that of the linear law, whatever the curves are of
+    has_exact = any(name.endswith(" exact") for name in curves)
     charts = (
         instability_chart(
             bolotin_chart(plain, static, top * reference, BOUNDARY_ROWS),
@@ -183,9 +180,9 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             [(row.centre / frequency, row.name) for row in table.tongues],
         ),
         load_frequency_chart(
-            load_curves(model, spin, tangency, inputs["stiffness"]),
+            curves,
             static,
-            {"buckling": buckling, _flutter_name(inputs): flutter_now},
+            {"buckling": buckling, "flutter, linear" if has_exact else "flutter": flutter_now},
         ),
         campbell_chart(campbell(model, tangency, static), spin, critical_speeds(system, static)),
     )

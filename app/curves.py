@@ -50,6 +50,7 @@ def rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
 
 @lru_cache(maxsize=256)
 def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
+    """Return the follower flutter load [EI/L²] at a spin speed, lumped and linear; inf if none."""
     return flutter_load(lumped(rotor, spin_speed, 1.0))
 
 
@@ -83,6 +84,7 @@ def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, fl
 def load_curves(
     model: Model, spin_speed: float, tangency: float, stiffness: str
 ) -> dict[str, WhirlCurves]:
+    """Return whirl over steady load by the names of `load_kinds`."""
     loads = _loads(model.rotor, spin_speed)
     return {
         name: load_frequency_curves(model.system(spin_speed, share, law), loads)
@@ -92,6 +94,7 @@ def load_curves(
 
 @lru_cache(maxsize=128)
 def campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
+    """Return whirl over spin speed at a steady load [EI/L²]."""
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
     return campbell_diagram(model.system(0.0, tangency), speeds, load)
 

@@ -16,7 +16,7 @@ from app.live import LiveChart
 from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped, plots
 from rotorstab.charts import ROLES
-from rotorstab.charts.explore import _label_tongues
+from rotorstab.charts.instability import _label_tongues
 from rotorstab.charts.structure import Chart, Layer, Lines, around_zero
 
 ASSETS = Path(__file__).parents[1] / "app" / "assets"

@@ -181,6 +181,9 @@ def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
     page.locator(".lesson-words.right").wait_for()
     choose(page, 1)
     page.locator(".lesson-words.note", has_text="The answer that you had before stands").wait_for()
+    page.reload()
+    at_step(page, 1)
+    page.locator(".lesson-words.right", has_text="It gets faster").wait_for()
 
 
 def test_a_lost_connection_is_told_wherever_one_is_on_the_page(open_page):

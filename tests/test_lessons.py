@@ -484,3 +484,13 @@ def test_colours_can_be_compared_within_a_step():
     session.respond({"type": "lesson-end"})
     session.respond({"type": "change", "values": {"spin_speed": 3.0, "static_load_factor": 0.0}})
     assert top() < before
+
+
+def test_a_goal_counts_the_sliders_of_its_step_only():
+    step = LESSONS["07-damping"].steps[5]
+    damped = step.before | {"external_damping": step.after["external_damping"]}
+    assert grade(step, "", damped).right
+    slow = grade(step, "", step.before | {"spin_speed": 0.5})
+    assert not slow.right
+    assert "other sliders" in slow.words
+    assert grade(step, "", step.before).words == step.question.hint

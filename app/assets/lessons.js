@@ -7,7 +7,6 @@ window.rotorstab.lessons = (() => {
   const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
   const panel = () => document.querySelector(".lesson");
   let running = null; // the step as the server described it
-  let recalled = false; // whether the answer of a step that is done was asked for
   let start = "", moved = false; // what the step's own inputs were, and whether they have changed
   let asked = ""; // key of the lesson that was asked for
   let values = {};
@@ -148,9 +147,8 @@ window.rotorstab.lessons = (() => {
     page.send({ type: "lesson-answer", value });
   }
 
-  function answered({ right, counted, words, shown }) {
+  function answered({ right, counted, words, shown, recalled }) {
     if (recalled) { // a step that was done before: its answer stands, and nothing scrolls
-      recalled = false;
       say(words, "right");
       return;
     }
@@ -258,8 +256,7 @@ window.rotorstab.lessons = (() => {
     reveal();
     stand();
     panel().scrollTop = 0;
-    recalled = passed(progress(step.key).steps[step.step]) && step.kind !== "goal";
-    if (recalled) page.send({ type: "lesson-show" });
+    if (passed(progress(step.key).steps[step.step]) && step.kind !== "goal") page.send({ type: "lesson-show", recall: true });
     if (focusTo) {
       place(focusTo).focus({ preventScroll: true });
       // past the header where it does not stay in view

@@ -166,10 +166,7 @@ window.rotorstab = (() => {
   }
 
   // the legend names the load–frequency curves that are drawn
-  function showCurves({ load_type, stiffness, model }) {
-    const law = model === "lumped" ? stiffness : "linear"; // finite elements have no other
-    const loads = ["axial", "follower", ...(load_type === "partly" ? ["partly"] : [])];
-    const drawn = loads.flatMap((load) => [...(law === "exact" ? [] : [load]), ...(law === "linear" ? [] : [`${load} exact`])]);
+  function showCurves(drawn) {
     for (const entry of document.querySelectorAll("[data-curve]")) entry.hidden = !drawn.includes(entry.dataset.curve);
   }
 
@@ -260,7 +257,7 @@ window.rotorstab = (() => {
     notice.replaceChildren(...rich(notes.join(" ")));
     showLayers(data.values);
     showGrowthUnit(data.values);
-    showCurves(data.values);
+    if (data.curves) showCurves(data.curves);
     page.last = data;
     if (!seen.has(data.page)) {
       // its charts were made just now; the page in the address may not be the first one

@@ -13,6 +13,7 @@ from rotorstab.charts import Chart
 from rotorstab.window import Window
 
 from ..analysis import CHARTS, Result, solve, window_of
+from ..curves import load_kinds
 from ..growth import Detail, known_detail
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
 from ..pins import Pin, differences, ghosted, pin, solved
@@ -174,6 +175,10 @@ class Explore(Page):
             ),
             "verdict_room": verdict_room(result.floquet, shown_scales(state)),
             "settled": settled is True,
+            "curves": [
+                name
+                for name, *_ in load_kinds(state.model, state.effective_tangency(), state.stiffness)
+            ],
             "inspector": None,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,

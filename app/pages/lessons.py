@@ -143,7 +143,8 @@ class Lessons(Page):
         elif kind == "lesson-answer":
             return Reply({"lesson_answer": self._judge(step, message.get("value"), state)})
         elif kind == "lesson-show":
-            return Reply({"lesson_answer": self._told(step)})
+            recalled = message.get("recall") is True
+            return Reply({"lesson_answer": {**self._told(step), "recalled": recalled}})
         return Reply()
 
     def _begin(self, message: Mapping[str, Any], state: State) -> Reply:

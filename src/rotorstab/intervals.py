@@ -12,14 +12,16 @@ from .sampler import ChartSampler
 from .system import System
 from .tongues import bracketed_roots
 
-__all__ = ["Interval", "unstable_intervals"]
+__all__ = ["SMALLEST_GROWTH", "Interval", "unstable_intervals"]
 
 Array = NDArray[np.float64]
 Runs = tuple[NDArray[np.intp], Array, Array]
 
 _PER_OCTAVE = (220, 110)  # columns, even in T: in the upper four octaves, below
 _DENSITY = 1.4  # of nodes and steps: the edges of narrow tongues ask for more than a map
-_GROWTH = 1e-8  # smallest growth rate that counts
+SMALLEST_GROWTH = 1e-8
+"""σ̄ that counts as growth [√(EI/(ρAL⁴))]."""
+
 _NEAREST = -1.0  # approach below which a pair is too far apart to meet within a column
 _SHRINK = (0.3, 0.03)  # half-widths of the parabolas, in columns
 _TOUCH = 1e-12
@@ -76,7 +78,7 @@ def _unstable_intervals(
         growth, error, approach = sampler.growth(
             sampler.evaluate(index, loads, span), error, span, nearness=True
         )
-        unstable = growth > np.maximum(error, _GROWTH)
+        unstable = growth > np.maximum(error, SMALLEST_GROWTH)
         within = growth > 0 if system.is_damped else unstable | (approach > 0)
         edges.append(_crossings(sampler, index, loads, span, unstable, within))
         if len(span) > 2:
@@ -134,7 +136,7 @@ def _root(sampler: ChartSampler, panel: int, load: Array, inside: Array, outside
         if sampler.system.is_damped:
             return growth
         # where two pairs grow at once the approach may tell nothing
-        grows = (approach <= 0) & (growth > np.maximum(error, _GROWTH))
+        grows = (approach <= 0) & (growth > np.maximum(error, SMALLEST_GROWTH))
         return np.where(grows, growth, approach)
 
     return bracketed_roots(value, inside, outside, _EDGE)
@@ -173,7 +175,7 @@ def _peaks(
             shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
         centre = np.clip(centre + reach * np.clip(shift, -2, 2), before, after)
     growth, error, top = sampler.at_points(panel, load, centre, nearness=True)
-    keep = growth > np.maximum(error, _GROWTH)
+    keep = growth > np.maximum(error, SMALLEST_GROWTH)
     # the last parabola is 0 at this distance from its vertex
     with np.errstate(divide="ignore", invalid="ignore"):
         half = reach * np.sqrt(2 * top / -bend)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .checks import number
 from .floquet import growth_rate
-from .intervals import Interval, unstable_intervals
+from .intervals import SMALLEST_GROWTH, Interval, unstable_intervals
 from .resonance import ResonanceTable, resonances
 from .stiffness import largest_exact_load
 from .system import System
@@ -27,7 +27,6 @@ Array = NDArray[np.float64]
 
 _ORDERS = 9  # highest θ̄ = |ω_i − ω_j|/k that is named
 _NEAR_POLE = 0.9  # of the way to the pole of the exact stiffness: rows end there
-_GROWTH = 1e-8  # smallest growth rate that counts
 _DRIFT = 0.012  # of θ̄: farthest unexplained move of a narrow tongue in a row
 
 
@@ -153,7 +152,7 @@ def unstable_outlines(
     loads = np.linspace(0.0, largest, int(number("rows", rows, 8)))
     found = unstable_intervals(system, static, loads[1:], low, high)
     step = float(loads[1])
-    if found[0] and growth_rate(system, static, 0.0, high) > _GROWTH:
+    if found[0] and growth_rate(system, static, 0.0, high) > SMALLEST_GROWTH:
         found.insert(0, [Interval(low, high)])  # it grows without any pulsation
     else:
         loads = loads[1:]

@@ -4,7 +4,6 @@ A `Chart` is a frozen description (axes, layers of named columns). `plots` draws
 dashboard patches its columns, a table export writes them: all three see the same arrays.
 """
 
-from .explore import GrowthGrid, campbell_chart, instability_chart, load_frequency_chart
 from .inspector import (
     marker_layer,
     multiplier_chart,
@@ -12,10 +11,12 @@ from .inspector import (
     pair_layers,
     response_chart,
 )
+from .instability import GrowthGrid, instability_chart
 from .paper import chart_figure
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role, axis_symbol
 from .units import chart_factors, in_seconds, in_si
+from .whirl import campbell_chart, load_frequency_chart
 from .written import LOAD_UNITS, load_unit, written
 
 __all__ = [

@@ -1,0 +1,136 @@
+"""Charts of signed whirl frequency: against steady load, and against spin speed (Campbell)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..whirl import CriticalSpeeds, WhirlCurves
+from .structure import Chart, Layer, Lines, around_zero, label_columns, mark_columns
+
+__all__ = ["campbell_chart", "load_frequency_chart"]
+
+
+def _span(curves: WhirlCurves) -> tuple[float, float]:
+    """Return the least and the largest Re ω̄ of modes 1 and 2: finite elements have many more."""
+    shown = [name[0] in "12" and len(name) == 2 for name in curves.names]
+    real = curves.frequencies.real[:, shown]
+    return float(real.min()), float(real.max())
+
+
+def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float, float, str, str]]:
+    row = curves.frequencies[index]
+    low, high = _span(curves)
+    return [
+        (float(curves.parameter[index]), float(value.real), name, side)
+        for value, name in zip(row, curves.names, strict=True)
+        if low <= value.real <= high
+    ]
+
+
+def _limit_labels(
+    limits: Mapping[str, float], x_range: tuple[float, float], y_range: tuple[float, float]
+) -> list[tuple[float, float, str, str]]:
+    """Return a label at the foot of each limit, inside the chart even on a phone.
+
+    Each has a level of its own, for buckling and flutter loads may nearly coincide.
+    """
+    (left, right), (bottom, top) = x_range, y_range
+    return [
+        (
+            load,
+            bottom + 0.08 * level * (top - bottom),
+            name,
+            # a letter takes 3 % of a phone's chart
+            "upper right" if load < right - 0.03 * len(name) * (right - left) else "upper left",
+        )
+        for level, (name, load) in enumerate(limits.items())
+    ]
+
+
+def load_frequency_chart(
+    curves: Mapping[str, WhirlCurves],
+    static_load: float,
+    limits: Mapping[str, float],
+) -> Chart:
+    """Return signed whirl frequency against load (Fig. 8).
+
+    Parameters
+    ----------
+    curves : mapping of {"axial", "follower", "axial exact", "follower exact"} to WhirlCurves
+        What to draw; the first one's range is the chart's.
+    static_load : float
+        The present p̄₀, marked.
+    limits : mapping of str to float
+        Critical loads to mark by name; those out of range are left out.
+    """
+    first = next(iter(curves.values()))
+    x_range = (float(first.parameter[0]), float(first.parameter[-1]))
+    lows, highs = zip(*map(_span, curves.values()), strict=True)
+    y_range = around_zero(min(lows), max(highs))
+    lines, marks = Lines(), Lines()
+    for role, one in curves.items():
+        lines.whirl(one, (role, role), f"{{}}, {role}")
+    marks.vertical(static_load, y_range, f"present static load, p̄₀ = {static_load:.4g}", "current")
+    shown = {name: load for name, load in limits.items() if x_range[0] <= load <= x_range[1]}
+    for name, load in shown.items():
+        marks.vertical(load, y_range, f"{name}, p̄ = {load:.5g}", "limit")
+    rows = _mode_labels(first, 0, "upper right") + _limit_labels(shown, x_range, y_range)
+    return Chart(
+        key="load-frequency",
+        title="Load–frequency curves",
+        x_label="steady load p̄",
+        y_label="whirl frequency ω̄",
+        x_range=x_range,
+        y_range=y_range,
+        layers=(
+            Layer("lines", "whirl", lines.columns),
+            Layer("lines", "marks", marks.columns),
+            Layer("labels", "mode", label_columns(rows)),
+        ),
+    )
+
+
+def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpeeds) -> Chart:
+    """Return signed whirl frequency against spin speed, with synchronous whirl.
+
+    Parameters
+    ----------
+    curves : WhirlCurves
+        Over spin speed.
+    spin_speed : float
+        The present Ω̄, marked.
+    critical : CriticalSpeeds
+    """
+    x_range = (float(curves.parameter[0]), float(curves.parameter[-1]))
+    y_range = around_zero(*_span(curves))
+    lines, marks = Lines(), Lines()
+    lines.whirl(curves, ("backward", "forward"), "{}")
+    ends = np.array(x_range)
+    lines.add(ends, ends, "synchronous, ω̄ = Ω̄", "synchronous")
+    lines.add(ends, -ends, "synchronous, ω̄ = −Ω̄", "synchronous")
+    marks.vertical(spin_speed, y_range, f"present spin speed, Ω̄ = {spin_speed:.4g}", "current")
+    points = [
+        (float(speed), sign * float(speed), f"critical speed, Ω̄ = {speed:.4g} ({word})")
+        for sign, word, speeds in (
+            (1, "forward", critical.forward),
+            (-1, "backward", critical.backward),
+        )
+        for speed in speeds
+        if speed <= x_range[1]
+    ]
+    return Chart(
+        key="campbell",
+        title="Campbell diagram",
+        x_label="spin speed Ω̄",
+        y_label="whirl frequency ω̄",
+        x_range=x_range,
+        y_range=y_range,
+        layers=(
+            Layer("lines", "whirl", lines.columns),
+            Layer("lines", "marks", marks.columns),
+            Layer("points", "critical speeds", mark_columns(points)),
+            Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "upper left"))),
+        ),
+    )
