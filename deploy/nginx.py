@@ -1,13 +1,14 @@
 """nginx in front of the workers: its configuration, and where to find it."""
 
 import os
+import secrets
 import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from .server.constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS
+from .server.constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS, PAGE_FILES
 from .server.pages import error_page, retry_seconds
 from .server.settings import Settings
 
@@ -56,6 +57,8 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         pages={name: retry_seconds(*page) for name, page in PAGES.items()},
         headers=HEADERS,
         hsts=settings.hsts,
+        page_files=PAGE_FILES,
+        generation=secrets.token_hex(4),
         longest_address=LONGEST_ADDRESS,
         header_buffer=HEADER_BUFFER,
     )

@@ -33,6 +33,9 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
     words = ["panel", "serve", app]
     for name, value in options.items():
         words += [f"--{name}", str(value)]
+    # The token of a page stands readable in its HTML and holds what is listed here, nothing else:
+    # cookies and passwords of other services on the same name stay out of it.
+    words += ["--include-headers", "Host", "--include-cookies", "rotorstab"]
     for origin in settings.origins:
         words += ["--allow-websocket-origin", origin]
     return [*words, *more]

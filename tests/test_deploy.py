@@ -10,6 +10,7 @@ import sys
 from urllib.parse import urlsplit
 
 import pytest
+from bokeh.util.token import get_token_payload
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
@@ -48,8 +49,8 @@ class TinyServer(Server):
             ROTORSTAB_MAX_SESSIONS=str(limit),
         )
 
-    def token(self, path="/tiny"):
-        status, _, page = self.get(path)
+    def token(self, path="/tiny", **headers):
+        status, _, page = self.get(path, **headers)
         assert status == 200
         return re.search(r'"token":"([^"]+)"', page)[1]
 
@@ -147,6 +148,31 @@ def test_the_page_names_no_other_host(server):
     page = server.get("/tiny?bokeh-absolute-url=http://other.example/tiny")[2]
     assert "other.example/static" not in page
     assert re.findall(r'(?:src|href)="(?:https?:)?//[^"]*"', page) == []
+
+
+def test_the_token_holds_no_cookie_and_no_password_of_another_service(server):
+    others = {"Cookie": "moodle=c00kie; rotorstab=ours", "Authorization": "Basic c2VjcmV0"}
+    token = server.token(**others, **{"X-Api-Key": "k3y"})
+    text = get_token_payload(token)
+    assert text["cookies"] == {"rotorstab": "ours"}
+    assert set(text["headers"]) == {"Host"}
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/static/js/bokeh.min.js%00",
+        "/static/%00",
+        "/static/js/bokeh.js",
+        "/static/js/lib/index.js",
+        "/static/extensions/panel/bundled/theme/../../../../setup.py",
+    ],
+)
+def test_a_file_that_the_page_does_not_use_is_not_there(server, path):
+    before = server.log.read_text()
+    assert server.get(path)[0] == 404
+    assert "Traceback" not in server.log.read_text().removeprefix(before)
+    assert server.get("/static/js/bokeh.min.js?v=1", method="HEAD")[0] == 200
 
 
 def test_a_link_cannot_choose_the_session(server):

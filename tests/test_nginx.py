@@ -117,6 +117,10 @@ class Lab(Server):
         pattern = re.compile(rf"^rotorstab_{name} (\S+)$", re.M)
         return [float(pattern.search(self.worker(port, "/metrics")[1])[1]) for port in self.ports]
 
+    def cached(self):
+        """Sizes of the files that nginx keeps."""
+        return [one.stat().st_size for one in self.temporary.glob("*/cache/*") if one.is_file()]
+
     def process_of(self, name):
         """The id of the process that the launcher started last by that name."""
         found = re.findall(rf"started {name}: process (\d+)", self.log.read_text())
@@ -214,6 +218,9 @@ def test_only_the_page_its_socket_and_its_files_are_reached(lab):
         "/app/autoload.js",
         "/components/panel.layout/Row/_css/a.css",
         "/static/%2e%2e/metrics",
+        "/static/js/bokeh.js",
+        "/static/js/lib/client/connection.js",
+        "/static/extensions/panel/panel.js",
         "/static/../metrics",
         "/static/..%2fmetrics",
         "/static//../metrics",
@@ -226,6 +233,22 @@ def test_only_the_page_its_socket_and_its_files_are_reached(lab):
         assert headers["X-Frame-Options"] == "DENY"
         assert headers["Content-Security-Policy"]
         assert "nginx" not in page
+
+
+def test_a_file_is_cached_once_whatever_version_is_asked_for(lab):
+    """And HEAD fetches no file: 300 of them with their own versions once filled the disk."""
+    path = "/static/extensions/panel/panel.min.js"
+    assert lab.get(path)[0] == 200
+    before = lab.cached()
+    for number in range(100):
+        assert lab.get(f"{path}?v={number}", method="HEAD")[0] == 200
+        assert lab.get(f"{path}?{number}", method="HEAD")[0] == 200
+        assert lab.get(f"/favicon.ico?{number}", method="HEAD")[0] == 200
+    for number in range(5):
+        assert lab.get(f"{path}?v={number}")[0] == 200
+    after = lab.cached()
+    assert len(after) <= len(before) + 2  # the answer to HEAD, which is empty, and the icon
+    assert sum(after) < sum(before) + 100_000
 
 
 def test_an_address_of_100_kB_gets_the_page_and_a_longer_one_words(lab):

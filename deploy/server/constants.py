@@ -7,6 +7,13 @@ BUSY_SECONDS = 5  # for whom asks too often
 LONGEST_ADDRESS = 128_000  # characters; 414 above, through nginx as on a worker's own port
 HEADER_BUFFER = 131_072  # bytes; an address of that length in its request line
 
+PAGE_FILES = (
+    r"/static/(js/bokeh(-[a-z]+)?\.min\.js"
+    r"|extensions/panel/(panel\.min\.js|css/[a-z_]+\.css"
+    r"|bundled/(datatabulator|reactiveesm|theme)/[A-Za-z0-9@^._/-]+\.(js|css)))"
+)
+"""Decoded paths of the scripts and styles that the page uses; all else below `/static/` is 404."""
+
 HEADERS = {
     # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
     # components are fetched from blobs.

@@ -1,14 +1,18 @@
-"""Which requests reach a handler: those to a name of this server, of a sensible length."""
+"""Which requests reach a handler.
+
+Those to a name of this server, of a sensible length; of the static files those that the page uses.
+"""
 
 import functools
 import logging
-from urllib.parse import urlsplit
+import re
+from urllib.parse import unquote, urlsplit
 
 from bokeh.server.util import check_allowlist
 from tornado.escape import parse_qs_bytes
 from tornado.web import Application, RequestHandler
 
-from .constants import LONGEST_ADDRESS
+from .constants import LONGEST_ADDRESS, PAGE_FILES
 
 log = logging.getLogger("rotorstab.hosts")
 
@@ -40,6 +44,11 @@ def is_known_host(host, known):
         return name in LOOPBACK or check_allowlist(host.lower(), known)
     except ValueError:  # brackets without an end, a port that is no number
         return False
+
+
+def is_page_file(path):
+    """Whether a path, as the request has it, is that of a script or style of the page."""
+    return re.fullmatch(PAGE_FILES, unquote(path)) is not None
 
 
 def shortened(query, room=LONGEST_KEPT):
@@ -85,6 +94,8 @@ def find_known(self, request, **kwargs):
     ):
         log.warning("refused a request to the host %.100r", request.host)
         return self.get_handler_delegate(request, Refused, {"status": 421})
+    if request.path.startswith("/static/") and not is_page_file(request.path):
+        return self.get_handler_delegate(request, Refused, {"status": 404})
     if len(request.uri) > LONGEST_ADDRESS or len(request.path) > LONGEST_KEPT:
         return self.get_handler_delegate(request, Refused, {"status": 414})
     if len(request.uri) > LONGEST_KEPT:
