@@ -414,7 +414,7 @@ def test_bad_numbers_are_refused(bad):
         ),
         (
             lambda s: rs.boundary_frequencies(rs.lumped(BASE, 1.0, stiffness="exact"), 1.0, 30.0),
-            "`load` must be below the pole",
+            r"`static_load` \+ \|`pulsating_load`\| must be below the pole",
         ),
     ],
 )

@@ -7,9 +7,10 @@ from hypothesis import strategies as st
 from rotors import P, W, lumped_systems, one_dof, reference_growth
 from scipy.special import mathieu_a, mathieu_b
 
-from rotorstab import BASE_CASE, finite_element, lumped
+from rotorstab import BASE_CASE, ShaftDisk, finite_element, lumped
 from rotorstab.floquet import floquet_multipliers, floquet_solution, growth_rate
 from rotorstab.modal import state_matrix
+from rotorstab.stiffness import largest_exact_load
 from rotorstab.tongues import tongue_edges
 
 LOADS = st.floats(0, 0.8)
@@ -141,14 +142,49 @@ def test_reduced_elements_approach_each_other_and_the_lumped_model():
     assert growth[2] == pytest.approx(growth[3], rel=5e-3)
 
 
+def test_growth_just_below_the_pole():
+    rotor = ShaftDisk(
+        shear=0.0407798219500689, disk_mass=5.58, diametral_inertia=0.3019, polar_inertia=0.9698
+    )
+    system = lumped(rotor, 2.857, tangency=1.0, stiffness="exact")
+    pulsating = float(largest_exact_load(rotor.shear)) * (1 - 1e-5) - 1.7
+    solution = floquet_solution(system, 1.7, [pulsating, -pulsating], 3.0)
+    assert solution.converged.all()
+    # DOP853 on the exact stiffness, tolerance 1e-12
+    assert solution.growth_rate == pytest.approx(4.4979713298, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("shear", "static", "room", "theta", "damping"),
+    [
+        (0.0, 3.0, 1e-6, 5.0, (0.0, 0.0)),
+        (0.1, 0.5, 1e-5, 2.0, (0.02, 0.0)),
+        (0.03, 14.0, 1e-3, 3.0, (0.0, 0.05)),
+        (0.05, -40.0, 1e-4, 6.0, (0.0, 0.0)),
+        (0.06, -900.0, 1e-2, 30.0, (0.0, 0.0)),  # too many harmonics for a series
+    ],
+)
+def test_the_exact_law_against_dop853_near_its_pole(shear, static, room, theta, damping):
+    rotor = ShaftDisk(shear, 5.0, 0.4, 0.7)
+    system = lumped(rotor, 1.3, 0.6, *damping, stiffness="exact")
+    pulsating = float(largest_exact_load(shear)) * (1 - room) - static
+    solution = floquet_solution(system, static, pulsating, theta)
+    expected = reference_growth(system, static, pulsating, theta, 1e-11)
+    assert solution.growth_rate == pytest.approx(expected, abs=1e-8)
+    assert solution.converged
+
+
 def test_bad_input():
     system = SYSTEMS["axial"]
     with pytest.raises(ValueError, match=r"`excitation_frequency` must be in \(0, inf\), got 0"):
         growth_rate(system, 0.0, 0.1, 0.0)
     with pytest.raises(ValueError, match="`pulsating_load` must be in"):
         growth_rate(system, 0.0, np.nan, 1.0)
-    with pytest.raises(ValueError, match="pole"):
-        growth_rate(SYSTEMS["exact follower"], 10.0, 50.0, 1.0)
+    with pytest.raises(
+        ValueError,
+        match=r"`static_load` \+ \|`pulsating_load`\| must be below the pole .* got 60",
+    ):
+        growth_rate(SYSTEMS["exact follower"], 10.0, -50.0, 1.0)
 
 
 def test_results_are_read_only():

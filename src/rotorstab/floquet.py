@@ -195,8 +195,8 @@ def floquet_solution(
     Raises
     ------
     ValueError
-        If an argument is not finite or out of range, or a load passes the pole of the
-        exact stiffness.
+        If an argument is not finite or out of range, or the peak load p̄₀ + |p̄_t| is at or past
+        the pole of the exact stiffness.
 
     Notes
     -----

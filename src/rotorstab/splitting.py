@@ -6,6 +6,7 @@ R maps displacement to momentum only, so its square is 0 and its flow is 1 + jh(
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.linalg import blas
 
 from .modal import ModalBasis
-from .stiffness import largest_exact_load
+from .stiffness import DIGITS, exact_harmonics, harmonic_rate, pole_term, refuse_peaks
 from .system import System
 
 __all__ = [
@@ -30,6 +31,7 @@ __all__ = [
 ]
 
 _ENTRIES_WANTED = 8192  # below, the overhead of a NumPy call outweighs its work
+_MOST_HARMONICS = 400  # from there on K itself is no dearer
 _WORST_MODES = 1e3  # condition of a load operator's eigenvectors that may be used
 
 Array = NDArray[np.float64]
@@ -123,24 +125,38 @@ def _linear_factors(
 def _exact_factors(
     system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
 ) -> tuple[NDArray[Any], NDArray[Any], Factors]:
-    """Return V_q, L and the maker of factors, whole matrices, for any K(p̄)."""
-    n = system.size
-
-    # K(p̄₀ + p̄_t cos φ) as a cosine series: K itself is dear
+    """Return V_q, L and the maker of factors, whole matrices, for the exact K(p̄)."""
+    n, shear = system.size, system.exact_shear
+    assert shear is not None
+    refuse_peaks(*loads, shear)
+    inverse = np.linalg.inv(system.mass)
+    reference = system.load_stiffness(basis.load)
     count = harmonic_count(system, loads)
-    harmonics: Array = np.stack(system.load_harmonics(*loads, count=count))
-    harmonics[0] -= system.load_stiffness(basis.load)
-    harmonics = np.moveaxis(
-        np.asarray(np.linalg.solve(system.mass, harmonics), float), (-2, -1), (1, 2)
-    )
+    series = count <= _MOST_HARMONICS
+    if series:
+        static, pulsating = np.broadcast_arrays(*loads)
+        harmonics = exact_harmonics(static, pulsating, shear, system.tangency, count)
+        harmonics[0] -= reference
+        harmonics = np.moveaxis(inverse @ harmonics, (-2, -1), (1, 2)).reshape(count + 1, -1)
+
+    def change_at(phase: Array) -> Array:
+        """Return M⁻¹ΔK (stage, n, n, segment, *grid)."""
+        load = loads[0] + loads[1] * np.cos(phase)
+        if not series:
+            change = inverse @ (system.load_stiffness(load) - reference)
+            return np.moveaxis(change, (-2, -1), (1, 2))
+        # K itself is dear: a cosine series, but for what the pole makes infinite
+        lead = phase.shape[: phase.ndim - loads[1].ndim]
+        change = np.cos(phase.reshape(-1, 1) * np.arange(count + 1)) @ harmonics
+        change = change.reshape(*lead, n, n, *load.shape[len(lead) :])
+        change = np.moveaxis(change, 1, 3)
+        change[:, :, 1] += (
+            inverse[:, 1].reshape(-1, *[1] * (load.ndim - 1)) * pole_term(load, shear)[:, None]
+        )
+        return change
 
     def factors(phase: Array) -> Complex:
-        cosines = np.cos(phase.reshape(-1, 1) * np.arange(count + 1))
-        change = cosines @ harmonics.reshape(count + 1, -1)
-        lead = phase.shape[: phase.ndim - loads[1].ndim]
-        change = change.reshape(*lead, *harmonics.shape[1:])
-        # (stage, segment, n, n, grid) to (stage, n, n, segment, grid)
-        change = np.moveaxis(change, 1, 3)
+        change = change_at(phase)
         table: Complex = np.asarray((1j * step) * change)
         if gradient:
             square = np.einsum("sik...,skj...->sij...", change, change)
@@ -151,11 +167,9 @@ def _exact_factors(
 
 
 def harmonic_count(system: System, loads: Loads) -> int:
-    """Return how many harmonics of K(p̄(t)) matter: they fall like ρ^−m, ρ set by the pole."""
+    """Return how many harmonics of K(p̄(t)) matter, `pole_term` apart."""
     assert system.exact_shear is not None
-    reach = np.min((largest_exact_load(system.exact_shear) - loads[0]) / (np.abs(loads[1]) + 1e-9))
-    ellipse = float(reach + np.sqrt(max(reach * reach - 1, 0.0)))
-    return int(min(400, max(4, np.ceil(37 / np.log(max(ellipse, 1.01))))))
+    return max(4, math.ceil(DIGITS / harmonic_rate(*loads, system.exact_shear)))
 
 
 def _multiplier(

@@ -13,9 +13,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import numbers
 
-__all__ = ["exact_stiffness", "largest_exact_load", "linear_stiffness", "refuse_poles"]
+__all__ = [
+    "DIGITS",
+    "exact_harmonics",
+    "exact_stiffness",
+    "harmonic_rate",
+    "largest_exact_load",
+    "linear_stiffness",
+    "pole_harmonics",
+    "pole_term",
+    "refuse_peaks",
+    "refuse_poles",
+]
 
 Array = NDArray[np.float64]
+
+_POLES = 4 * np.pi**2, 4 * 4.493409457909064**2
+"""The two lowest poles of the exact coefficients in x: k = 2π, and tan(k/2) = k/2."""
+DIGITS = 37.0  # −ln of rounding
+_SAMPLES_TOGETHER = 1 << 15  # evaluations of K at a time, which take some 10 MB
 
 _SERIES_BELOW = 2.0  # closed forms lose digits for smaller |x|
 _ORDERS = np.arange(1, 14)
@@ -62,15 +78,21 @@ def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:
     return s, c, g, d
 
 
-def refuse_poles(load: ArrayLike, shear: ArrayLike) -> None:
+def refuse_poles(load: ArrayLike, shear: ArrayLike, name: str = "`load`") -> None:
     """Raise ValueError if a load is at or past the pole of the exact stiffness."""
     bad, limit = np.broadcast_arrays(load, largest_exact_load(shear))
     past = bad >= limit
     if past.any():
         raise ValueError(
-            f"`load` must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
+            f"{name} must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
             f"at this shear, got {bad[past].flat[0]:g}"
         )
+
+
+def refuse_peaks(static: ArrayLike, pulsating: ArrayLike, shear: float) -> None:
+    """Raise ValueError if the largest load of a pulsation is at or past the pole."""
+    peak = np.add(static, np.abs(pulsating))
+    refuse_poles(peak, shear, "`static_load` + |`pulsating_load`|")
 
 
 def largest_exact_load(shear: ArrayLike) -> Array:
@@ -89,7 +111,91 @@ def largest_exact_load(shear: ArrayLike) -> Array:
         Load [EI/L²].
     """
     shear = numbers("shear", shear, 0.0, 1.0, open_high=True)
-    return 4 * np.pi**2 / (1 + 4 * np.pi**2 * shear)
+    return np.asarray(_POLES[0] / (1 + _POLES[0] * shear))
+
+
+def pole_term(load: Array, shear: float) -> Array:
+    """Return −R/(p̄* − p̄), R = p̄*²/(2π²): the part of k₂₂ that is infinite at the pole p̄*.
+
+    The other coefficients stay finite there.
+
+    Parameters
+    ----------
+    load : (...) float
+        p̄ [EI/L²].
+    shear : float
+        Φ [-].
+
+    Returns
+    -------
+    (...) float
+        [EI/L].
+    """
+    pole = largest_exact_load(shear)
+    return np.asarray(-(pole**2) / (2 * np.pi**2) / (pole - load))
+
+
+def pole_harmonics(static: Array, pulsating: Array, shear: float, count: int) -> Array:
+    """Return the cosine coefficients (count + 1, ...) of `pole_term` at p̄₀ + p̄_t cos φ.
+
+    1/(a − b cos φ) = (1 + 2 Σ zᵐ cos mφ)/√(a² − b²) with z = b/(a + √(a² − b²)).
+    """
+    pole = largest_exact_load(shear)
+    room = pole - static
+    root = np.sqrt((room - pulsating) * (room + pulsating))
+    ratio = np.asarray(pulsating / (room + root))
+    orders = np.arange(count + 1).reshape(-1, *[1] * ratio.ndim)
+    coefficients = -(pole**2) / np.pi**2 / root * ratio**orders
+    coefficients[0] /= 2
+    return np.asarray(coefficients)
+
+
+def harmonic_rate(static: Array, pulsating: Array, shear: float) -> float:
+    """Return ln ρ, the smallest of all loads: without `pole_term` the harmonics fall like ρ^−m.
+
+    The second pole of the exact coefficients sets ρ.
+    """
+    peak, size = static + np.abs(pulsating), np.abs(pulsating)
+    room = _POLES[1] / (1 + _POLES[1] * shear) - np.asarray(peak)
+    ratio = float(np.min(room / np.maximum(size, 1e-9 * room), initial=np.inf))
+    return math.log1p(ratio + math.sqrt(ratio * (ratio + 2)))
+
+
+def exact_harmonics(
+    static: Array, pulsating: Array, shear: float, tangency: float, count: int
+) -> Array:
+    """Return K₀ … K_count of the exact K(p̄₀ + p̄_t cos φ) without `pole_term`.
+
+    Parameters
+    ----------
+    static, pulsating : (...) float
+        p̄₀ and p̄_t [EI/L²], of one shape, their peak below the pole.
+    shear, tangency : float
+        Φ and μ [-].
+    count : int
+        Highest harmonic.
+
+    Returns
+    -------
+    (count + 1, ..., 2, 2) float
+        Chebyshev coefficients by a cosine sum, to rounding.
+    """
+    # the aliasing error falls as ρ^(count − 2 points)
+    rate = harmonic_rate(static, pulsating, shear)
+    points = math.ceil((count + DIGITS / rate) / 2) + 1
+    phase = (np.arange(points) + 0.5) * np.pi / points
+    weights = np.cos(np.outer(np.arange(count + 1), phase)) * 2 / points
+    weights[0] /= 2
+    mean, swing = static.ravel(), pulsating.ravel()
+    harmonics = np.empty((count + 1, mean.size, 4))
+    batch = max(1, _SAMPLES_TOGETHER // points)
+    for start in range(0, mean.size, batch):
+        part = slice(start, start + batch)
+        load = mean[part] + np.outer(np.cos(phase), swing[part])
+        samples = exact_stiffness(load, shear, tangency)
+        samples[..., 1, 1] -= pole_term(load, shear)
+        harmonics[:, part] = (weights @ samples.reshape(points, -1)).reshape(count + 1, -1, 4)
+    return harmonics.reshape(count + 1, *static.shape, 2, 2)
 
 
 def exact_stiffness(load: ArrayLike, shear: ArrayLike, tangency: ArrayLike = 0.0) -> Array:

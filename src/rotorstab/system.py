@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,14 +9,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import LARGEST, choice, number, numbers
 from .rotor import ShaftDisk
-from .stiffness import exact_stiffness, largest_exact_load, linear_stiffness, refuse_poles
+from .stiffness import (
+    exact_harmonics,
+    exact_stiffness,
+    linear_stiffness,
+    pole_harmonics,
+    refuse_peaks,
+)
 
 __all__ = ["System", "fundamental_frequency", "lumped"]
 
 Array = NDArray[np.float64]
-
-_DIGITS = 37.0  # −ln of rounding
-_MOST_POINTS = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,31 +155,25 @@ class System:
         Returns
         -------
         list of (..., n, n) float
-            Exact for the linear law (K₂ and higher are 0); for the exact law the
-            Chebyshev coefficients by a cosine sum, to rounding unless the peak load is
-            within 1e-5 of the pole.
+            Exact for the linear law (K₂ and higher are 0), to rounding for the exact law.
+
+        Raises
+        ------
+        ValueError
+            If a load is not finite, or the peak load is past the pole of the exact stiffness.
         """
         static, pulsating = np.broadcast_arrays(
             numbers("static_load", static_load), numbers("pulsating_load", pulsating_load)
         )
-        if self.is_linear:
+        if self.exact_shear is None:
             zero = np.zeros((*static.shape, self.size, self.size))
             first = pulsating[..., None, None] * self.geometric
             return [self.load_stiffness(static), first, *[zero] * (count - 1)][: count + 1]
-        # the aliasing error falls as ρ^(count − 2 points), ρ from the distance to the pole
-        peak, size = np.asarray(static + np.abs(pulsating)), np.abs(pulsating)
-        refuse_poles(peak, self.exact_shear or 0.0)
-        room = largest_exact_load(self.exact_shear or 0.0) - peak
-        ratio = float(np.min(room / np.maximum(size, 1e-9 * room), initial=np.inf))
-        rate = math.log1p(ratio + math.sqrt(ratio * (ratio + 2)))
-        points = min(math.ceil((count + _DIGITS / rate) / 2) + 1, _MOST_POINTS)
-        phase = (np.arange(points) + 0.5) * np.pi / points
-        samples = self.load_stiffness(static[..., None] + pulsating[..., None] * np.cos(phase))
-        weights = np.cos(np.outer(np.arange(count + 1), phase)) * 2 / points
-        weights[0] /= 2
-        flat = samples.reshape(*static.shape, points, self.size**2)
-        harmonics = (weights @ flat).reshape(*static.shape, count + 1, self.size, self.size)
-        return list(np.moveaxis(harmonics, -3, 0))
+        refuse_peaks(static, pulsating, self.exact_shear)
+        loads = static, pulsating, self.exact_shear
+        harmonics = exact_harmonics(*loads, self.tangency, count)
+        harmonics[..., 1, 1] += pole_harmonics(*loads, count)
+        return list(harmonics)
 
 
 def fundamental_frequency(system: System) -> float:
