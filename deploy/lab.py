@@ -12,6 +12,7 @@ import asyncio
 import ctypes
 import logging
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -22,7 +23,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from deploy import nginx
+from deploy import nginx, nginx_log
 from deploy.server import logs
 from deploy.server.secret import find_secret
 from deploy.server.settings import SettingError, Settings, check_port, read, stop
@@ -33,6 +34,7 @@ STEADY = 30.0  # s after which a process counts as well
 PATIENCE = 4.0  # s that a process has beyond what it needs to end
 ASK_AGAIN = 2.0  # s between looks at where the workers are
 BAD_SETTING = 2  # exit code of a worker that starting again cannot help
+PREFIX = "rotorstab-lab-"  # of the folder, before the process id
 PR_SET_PDEATHSIG = 1
 
 
@@ -42,6 +44,20 @@ def end_with_parent() -> None:
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
+def end_group(process: int) -> None:
+    """End what a process has left behind: it was the leader of its group."""
+    with suppress(ProcessLookupError):
+        os.killpg(process, signal.SIGKILL)
+
+
+def remove_stale_folders() -> None:
+    """Remove the folders of launchers that were killed."""
+    for folder in Path(tempfile.gettempdir()).glob(f"{PREFIX}*"):
+        process = folder.name.removeprefix(PREFIX).partition("-")[0]
+        if process.isdigit() and not Path(f"/proc/{process}").exists():
+            shutil.rmtree(folder, ignore_errors=True)  # another user's stays
+
+
 async def within(event: asyncio.Event, seconds: float) -> bool:
     """Wait for an event, at most some seconds; return whether it came."""
     with suppress(asyncio.TimeoutError):
@@ -49,15 +65,25 @@ async def within(event: asyncio.Event, seconds: float) -> bool:
     return event.is_set()
 
 
-async def keep(name, command, ending, patience, environment=None) -> int:
-    """Run a command again and again until the event; return the exit code that ended it."""
+async def keep(name, command, ending, patience, environment=None, relay=None) -> int:
+    """Run a command again and again until the event; return the exit code that ended it.
+
+    `relay` opens a pipe for the process's standard error, and the task that reads it.
+    """
     loop, wait, first = asyncio.get_running_loop(), SOONEST, True
     while not ending.is_set():
         began = loop.time()
+        pipe, relaying = await relay() if relay else (None, None)
         process = await asyncio.create_subprocess_exec(
-            *command, env=environment, preexec_fn=end_with_parent, start_new_session=True
+            *command,
+            env=environment,
+            preexec_fn=end_with_parent,
+            start_new_session=True,
+            stderr=pipe,
         )
         LOG.info("started %s: process %d", name, process.pid)
+        if pipe is not None:
+            os.close(pipe)
         ended = asyncio.create_task(process.wait())
         told = asyncio.create_task(ending.wait())
         await asyncio.wait({ended, told}, return_when=asyncio.FIRST_COMPLETED)
@@ -68,7 +94,13 @@ async def keep(name, command, ending, patience, environment=None) -> int:
             if not ended.done():
                 LOG.error("%s does not end: killed", name)
                 process.kill()
-            return await ended
+            await ended
+        # nginx's workers outlive a master that was killed, and hold its port
+        end_group(process.pid)
+        if relaying:
+            await relaying
+        if ending.is_set():
+            return process.returncode
         # later it is a port that was not free yet, and no reason to send a class home
         if first and process.returncode == BAD_SETTING:
             return BAD_SETTING
@@ -100,11 +132,15 @@ async def follow(settings: Settings, binary: str, folder: Path, known, ending) -
         if now and now != known:
             LOG.info("workers are at %s", ", ".join(now))
             configuration = nginx.write(settings, now, folder)
+            pipe, relaying = await nginx_log.relay()
             done = await asyncio.create_subprocess_exec(
-                *nginx.command(binary, configuration, "-s", "reload")
+                *nginx.command(binary, configuration, "-s", "reload"),
+                stderr=pipe,
             )
+            os.close(pipe)
             if await done.wait() == 0:
                 known = now
+            await relaying
 
 
 async def serve(settings: Settings, binary: str, folder: Path) -> int:
@@ -118,7 +154,13 @@ async def serve(settings: Settings, binary: str, folder: Path) -> int:
     places = places or [f"127.0.0.1:{port}" for port in ports if not settings.upstream]
     configuration = nginx.write(settings, places, folder)
     front = asyncio.create_task(
-        keep("nginx", nginx.command(binary, configuration), workers_ended, PATIENCE)
+        keep(
+            "nginx",
+            nginx.command(binary, configuration),
+            workers_ended,
+            PATIENCE,
+            relay=nginx_log.relay,
+        )
     )
     if settings.upstream:
         others = [asyncio.create_task(follow(settings, binary, folder, places, ending))]
@@ -162,7 +204,8 @@ def main() -> None:
     if binary is None:
         stop("nginx is not there: install it (Debian and Ubuntu: apt-get install nginx-light)")
     logs.install(settings)
-    with tempfile.TemporaryDirectory(prefix="rotorstab-") as name:
+    remove_stale_folders()
+    with tempfile.TemporaryDirectory(prefix=f"{PREFIX}{os.getpid()}-") as name:
         folder = Path(name)
         folder.chmod(0o711)  # started by root, nginx reads its pages as another user
         configuration = nginx.write(settings, (), folder)

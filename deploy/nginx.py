@@ -4,13 +4,14 @@ import os
 import secrets
 import shutil
 from collections.abc import Sequence
+from ipaddress import ip_address
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from .server.constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS, PAGE_FILES
 from .server.pages import error_page, retry_seconds
-from .server.settings import Settings
+from .server.settings import LOOPBACK, Settings, host_name
 
 TEMPLATE = "nginx.conf.j2"
 CONNECTIONS = 20  # of a page: six of the browser, the socket, and others that only wait
@@ -28,6 +29,20 @@ def find_nginx() -> str | None:
     return shutil.which("nginx", path=os.pathsep.join([os.environ.get("PATH", ""), "/usr/sbin"]))
 
 
+def is_number(host: str) -> bool:
+    """Whether a host is an IP address."""
+    try:
+        ip_address(host)
+    except ValueError:
+        return False
+    return True
+
+
+def in_server_name(host: str) -> str:
+    """Return a host as nginx compares it with a request's."""
+    return f"[{host}]" if ":" in host else host
+
+
 def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
     """Return the configuration for workers at host:port, with files in a folder of its own."""
     environment = Environment(
@@ -38,13 +53,21 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         keep_trailing_newline=True,
     )
     address = f"[{settings.address}]" if ":" in settings.address else settings.address
-    names = dict.fromkeys(origin.rpartition(":")[0] or origin for origin in settings.origins)
+    # "::" listens for IPv4 as well
+    family = " ipv6only=off" if settings.address == "::" else ""
+    origins = {in_server_name(host_name(origin)): origin for origin in settings.origins}
     places = settings.max_sessions * len(workers)
     return environment.get_template(TEMPLATE).render(
         folder=folder,
-        listen=f"{address}:{settings.port}",
+        address=address,
+        port=settings.port,
+        family=family,
+        http_port=settings.http_port,
+        origins=origins,
         # no other site can take a loopback name, and a technician asks by one
-        names=list(dict.fromkeys([*names, "localhost", "127.0.0.1"])),
+        names=list(dict.fromkeys([*origins, *map(in_server_name, LOOPBACK)])),
+        # a browser names no host in the handshake where the address is a number
+        by_number=any(map(is_number, map(host_name, settings.origins))),
         # a port that nobody listens on: the page says that the server restarts
         workers=list(workers) or ["127.0.0.1:9"],
         places=max(places, settings.max_sessions),

@@ -20,7 +20,8 @@ LARGEST_MESSAGE = 262_144  # bytes
 def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]:
     """Return the command line of `panel serve`, with more options of it."""
     options = {
-        "address": settings.address,
+        # without an address Tornado listens for IPv4 and IPv6
+        **({} if settings.address == "::" else {"address": settings.address}),
         "port": settings.port,
         "setup": ROOT / "deploy" / "setup.py",
         "plugins": "deploy.server.routes",

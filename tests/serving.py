@@ -42,7 +42,9 @@ class Server:
     It is started with the shipped start script, or with a command of which "PORT" is a word.
     """
 
-    def __init__(self, log, app=None, origins=(), command=None, port=None, **environment):
+    def __init__(
+        self, log, app=None, origins=(), command=None, port=None, stderr=None, **environment
+    ):
         self.port = port or free_port()
         self.origin = f"http://localhost:{self.port}"
         self.log = log
@@ -62,7 +64,7 @@ class Server:
                 command,
                 env=environment,
                 stdout=output,
-                stderr=subprocess.STDOUT,
+                stderr=stderr or subprocess.STDOUT,
                 start_new_session=True,
             )
 

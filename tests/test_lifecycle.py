@@ -13,11 +13,13 @@ import sys
 import time
 
 import pytest
+from tornado.httpclient import HTTPClientError
 
 from app.telemetry import observe, observers
 from benchmarks.classroom.client import User
 from deploy.server.health import Watchdog
 from tests.serving import START, Server, ended, run
+from tests.wire import opened
 
 APP = """
 import ctypes, time
@@ -142,6 +144,24 @@ def test_the_check_of_a_container(tiny):
     code, told = check("/health")
     assert code == 1
     assert "refused" in told
+
+
+def test_an_address_for_both_families_and_an_ipv6_origin(tiny):
+    server = tiny(ADDRESS="::", ROTORSTAB_ORIGINS="")
+    for host in ("127.0.0.1", "::1"):
+        connection = http.client.HTTPConnection(host, server.port, timeout=PATIENCE)
+        with contextlib.closing(connection):
+            connection.request("GET", "/app")
+            assert connection.getresponse().status == 200
+
+    async def open_socket(name):
+        server.origin = f"http://{name}:{server.port}"
+        async with opened(server):
+            return True
+
+    assert run(open_socket("[::1]"))
+    with pytest.raises(HTTPClientError, match="403"):
+        run(open_socket("[2001:db8::1]"))
 
 
 def test_metrics_are_for_whom_they_are_meant(tiny):

@@ -26,6 +26,7 @@ from tornado.queues import QueueEmpty
 from tornado.websocket import websocket_connect
 
 from deploy import lab as lab_module
+from deploy import nginx_log
 from deploy.nginx import command, find_nginx, write
 from deploy.server.constants import HEADERS, LONGEST_ADDRESS
 from deploy.server.settings import read
@@ -64,7 +65,7 @@ def http_free(port):
 class Lab(Server):
     """nginx and two workers of a throw-away app."""
 
-    def __init__(self, folder, app=None, **environment):
+    def __init__(self, folder, app=None, stderr=None, **environment):
         if app is None:
             app = folder / "app.py"
             app.write_text(APP)
@@ -82,6 +83,7 @@ class Lab(Server):
             ROTORSTAB_UNUSED_LIFETIME="5",
             ROTORSTAB_LOG_FORMAT="json",
             TMPDIR=str(self.temporary),
+            stderr=stderr,
             **environment,
         )
 
@@ -480,6 +482,113 @@ def test_the_end_leaves_nothing_behind(tmp_path, number):
         lab.stop()
 
 
+def test_a_front_that_is_killed_leaves_no_orphan_and_comes_back(tmp_path):
+    """nginx's workers once kept the port, and the new nginx could not have it."""
+    lab = Lab(tmp_path)
+    try:
+        lab.wait()
+        master = lab.process_of("nginx")
+        children = Path(f"/proc/{master}/task/{master}/children").read_text().split()
+        assert children
+        os.kill(master, signal.SIGKILL)
+        lab.wait_for(lambda: lab.process_of("nginx") != master and lab.get("/app")[0] == 200)
+        assert all(ended(int(one)) for one in children)
+    finally:
+        lab.stop()
+
+
+def test_the_folder_of_a_launcher_that_was_killed_is_removed_by_the_next(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    gone = subprocess.run(
+        [sys.executable, "-c", "import os; print(os.getpid())"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.strip()
+    stale, own = tmp_path / f"rotorstab-lab-{gone}-x", tmp_path / f"rotorstab-lab-{os.getpid()}-x"
+    other = tmp_path / "rotorstab-lab-notes"
+    for folder in (stale, own, other):
+        (folder / "cache").mkdir(parents=True)
+    lab_module.remove_stale_folders()
+    assert sorted(tmp_path.iterdir()) == sorted([own, other])
+
+
+STUDENT = "192.0.2.77"
+
+
+@pytest.mark.parametrize(
+    ("line", "level", "message"),
+    [
+        (
+            f"2026/11/27 10:00:00 [error] 7#7: *12 upstream prematurely closed connection, client: "
+            f'{STUDENT}, server: lab-pc, request: "GET /app?spin=1&name=Ada HTTP/1.1", upstream: '
+            '"http://127.0.0.1:5101/app?spin=1&name=Ada", host: "lab-pc"',
+            "ERROR",
+            'upstream prematurely closed connection, upstream: "http://127.0.0.1:5101/app"',
+        ),
+        (
+            f"2026/11/27 10:00:00 [warn] 7#7: *1 a client of {STUDENT}:4040 is slow, client: "
+            f"{STUDENT}",
+            "WARNING",
+            "a client of … is slow",
+        ),
+        (
+            '2026/11/27 10:00:00 [crit] 7#7: *1 open() "/tmp/a" failed (28: No space left), '
+            'client: 2001:db8::7, server: lab, request: "GET /app?a=1 HTTP/1.1", host: "[::1]:80"',
+            "CRITICAL",
+            'open() "/tmp/a" failed (28: No space left)',
+        ),
+        (
+            "2026/11/27 10:00:00 [notice] 7#7: signal process started",
+            "INFO",
+            "signal process started",
+        ),
+        (
+            f"nginx: what it says otherwise of {STUDENT}",
+            "WARNING",
+            "nginx: what it says otherwise of …",
+        ),
+    ],
+)
+def test_nginxs_messages_are_logged_without_address_and_query(caplog, line, level, message):
+    with caplog.at_level("DEBUG"):
+        nginx_log.record(line)
+    (found,) = caplog.records
+    assert (found.levelname, found.getMessage()) == (level, message)
+
+
+def test_debug_logs_requests_but_neither_address_nor_query(tmp_path):
+    """With a socket as standard error too, as under journald, which nginx could not open."""
+    ours, theirs = socket.socketpair()
+    parts = []
+
+    def read_all():
+        while part := ours.recv(1 << 16):
+            parts.append(part)
+
+    reading = threading.Thread(target=read_all, daemon=True)
+    reading.start()
+    with ours, theirs:
+        lab = Lab(tmp_path, stderr=theirs, ROTORSTAB_LOG_LEVEL="debug")
+        theirs.close()
+        try:
+            lab.wait_for(lambda: lab.get("/app?name=Ada")[0] == 200)
+            for port in lab.ports:
+                lab.wait_for(lambda port=port: lab.worker(port, "/app?name=Ada")[0] == 200)
+            lab.get("/app?name=Ada", method="POST")
+            lab.get("/nothing?name=Ada")
+        finally:
+            lab.stop()
+        reading.join(PATIENCE)
+    log = b"".join(parts).decode()
+    assert '"message":"GET /app","status":200' in log
+    assert "GET /app" in log.replace('"message":"GET /app"', "")  # a worker's own line
+    assert "Ada" not in log
+    assert "127.0.0.1)" not in log
+    for line in log.splitlines():
+        json.loads(line)
+
+
 def test_a_setting_that_a_worker_cannot_use_ends_the_launcher(tmp_path):
     """Before it serves; with the worker's own line."""
     with socket.socket() as taken:
@@ -566,6 +675,7 @@ def test_nginx_follows_workers_that_come_and_go(monkeypatch):
     [
         {},
         {"ADDRESS": "::1"},
+        {"ADDRESS": "::", "ROTORSTAB_ORIGINS": "[2001:db8::1]:5006,[::1]"},
         {"ROTORSTAB_ORIGINS": "lab-pc,lab-pc.example:8080,127.0.0.1"},
         {"ROTORSTAB_LOG_LEVEL": "debug", "ROTORSTAB_MAX_SESSIONS": "10000"},
     ],
@@ -579,7 +689,8 @@ def test_nginx_accepts_its_configuration_with_tls(tmp_path):
     folder.mkdir()
     names = {"ROTORSTAB_TLS_KEY": "key.pem", "ROTORSTAB_TLS_CERTIFICATE": "certificate.pem"}
     files = {name: str(folder / file) for name, file in names.items()}
-    certify(*files.values())
+    files["ROTORSTAB_ORIGINS"] = "lab-pc"
+    certify(files["ROTORSTAB_TLS_KEY"], files["ROTORSTAB_TLS_CERTIFICATE"])
     text = check(tmp_path, files | {"PORT": str(free_port())})
     assert "; Secure" in text
     assert "Strict-Transport-Security" not in text
@@ -616,6 +727,85 @@ def test_tls_tells_browsers_to_stay_with_it_where_that_is_set(tmp_path):
         finally:
             front.terminate()
             front.wait(PATIENCE)
+
+
+@contextlib.contextmanager
+def front_with_tls(**environment):
+    """Settings and certificate of an nginx with TLS that has no worker yet, while it runs."""
+    with tempfile.TemporaryDirectory(prefix="rotorstab-test-") as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        files = {
+            "ROTORSTAB_TLS_KEY": str(folder / "key.pem"),
+            "ROTORSTAB_TLS_CERTIFICATE": str(folder / "certificate.pem"),
+        }
+        certify(*files.values())
+        environment |= files
+        front = subprocess.Popen(command(find_nginx(), write(read(environment), [], folder)))
+        try:
+            yield environment, files["ROTORSTAB_TLS_CERTIFICATE"]
+        finally:
+            front.terminate()
+            front.wait(PATIENCE)
+
+
+def test_with_tls_health_is_found_and_http_is_sent_on():
+    """The check once named no host in its handshake, so no container with TLS became healthy."""
+    port, plain = free_port(), free_port()
+    settings = {
+        "PORT": str(port),
+        "ROTORSTAB_HTTP_PORT": str(plain),
+        "ROTORSTAB_ORIGINS": f"lab-pc:{port},localhost:{port},lab-pc.example",
+    }
+    with front_with_tls(**settings) as (environment, certificate):
+        trusted = ssl.create_default_context(cafile=certificate)
+        assert eventually(port, "/app", trusted)[0] == 503
+        done = subprocess.run(
+            [sys.executable, START.with_name("check.py"), "/app"],
+            env=os.environ | environment,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.stdout == "/app: 503\n"  # no worker yet, and no failed handshake
+        for host, where in (
+            ("localhost", f"localhost:{port}"),
+            ("lab-pc", f"lab-pc:{port}"),
+            ("lab-pc.example", "lab-pc.example"),
+        ):
+            connection = http.client.HTTPConnection("127.0.0.1", plain, timeout=10)
+            with contextlib.closing(connection):
+                connection.request("GET", "/app?spin=1", headers={"Host": host})
+                reply = connection.getresponse()
+                assert reply.status == 301
+                assert reply.headers["Location"] == f"https://{where}/app?spin=1"
+        # a number that is not listed gets no handshake
+        with pytest.raises(ssl.SSLError):
+            handshake(port, certificate)
+
+
+def test_with_tls_a_listed_number_is_served():
+    port = free_port()
+    settings = {"PORT": str(port), "ROTORSTAB_ORIGINS": f"127.0.0.1:{port}"}
+    with front_with_tls(**settings) as (_, certificate):
+        eventually(port, "/app", ssl.create_default_context(cafile=certificate))
+        assert handshake(port, certificate, f"127.0.0.1:{port}").startswith(b"HTTP/1.1 503")
+        assert handshake(port, certificate, "192.0.2.1") == b""
+
+
+def handshake(port, certificate, host="127.0.0.1"):
+    """The first bytes of the answer to a client that names no host in its handshake."""
+    trusted = ssl.create_default_context(cafile=certificate)
+    trusted.check_hostname = False
+    with (
+        socket.create_connection(("127.0.0.1", port), timeout=10) as plain,
+        trusted.wrap_socket(plain) as client,
+    ):
+        client.sendall(f"GET /app HTTP/1.1\r\nHost: {host}\r\n\r\n".encode())
+        try:
+            return client.recv(100)
+        except ConnectionResetError:
+            return b""
 
 
 def eventually(port, path, trusted):

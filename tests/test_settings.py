@@ -34,7 +34,7 @@ def start(**environment):
 def test_without_an_environment_the_server_is_for_this_machine_alone():
     settings = read({})
     assert settings.address == "127.0.0.1"
-    assert settings.origins == ("localhost:5006", "127.0.0.1:5006")
+    assert settings.origins == ("localhost:5006", "127.0.0.1:5006", "[::1]:5006")
     assert settings.workers == 1
     assert settings.metrics == "loopback"
 

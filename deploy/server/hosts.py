@@ -8,21 +8,23 @@ import logging
 import re
 from urllib.parse import unquote, urlsplit
 
+import bokeh.server.server as bokeh_server
 from bokeh.server.util import check_allowlist
 from tornado.escape import parse_qs_bytes
 from tornado.web import Application, RequestHandler
 
 from .constants import LONGEST_ADDRESS, PAGE_FILES
+from .settings import LOOPBACK
 
 log = logging.getLogger("rotorstab.hosts")
 
 LONGEST_KEPT = 8_000  # characters of an address; a page's token carries its query in a header
 LONGEST_VALUE = 3_000  # characters of one value, %-escapes counted; no honest one has as many
 LONGEST_NAME = 20  # characters of a key that are told
-LOOPBACK = ("localhost", "127.0.0.1", "::1")  # no other site can take these names
 FOR_MACHINES = ("/health", "/metrics")  # asked by whatever name a probe uses
 
 find_handler = Application.find_handler
+allowlist = bokeh_server.create_hosts_allowlist
 
 
 class Refused(RequestHandler):
@@ -103,6 +105,15 @@ def find_known(self, request, **kwargs):
     return find_handler(self, request, **kwargs)
 
 
+@functools.wraps(allowlist)
+def allowlist_with_numbers(hosts, port):
+    """Bokeh's list of origins, which takes no IPv6 address, with those that are one."""
+    numbers = [host for host in hosts or () if host.startswith("[")]
+    others = [host for host in hosts or () if not host.startswith("[")]
+    return [*numbers, *(allowlist(others, port) if others or not numbers else ())]
+
+
 def install(settings):
     """Check every request of this process's server."""
+    bokeh_server.create_hosts_allowlist = allowlist_with_numbers
     Application.find_handler = find_known

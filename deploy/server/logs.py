@@ -5,6 +5,10 @@ import logging
 import sys
 import time
 
+from tornado.httpserver import _HTTPRequestContext
+from tornado.httputil import HTTPServerRequest
+from tornado.web import RequestHandler
+
 from .settings import Settings
 
 LONGEST_LINE = 2000
@@ -60,9 +64,22 @@ class JsonFormatter(logging.Formatter):
         return json.dumps(line)
 
 
+def summary(handler: RequestHandler) -> str:
+    """Return what Tornado logs of a request: no query, which is the student's own, no address."""
+    return f"{handler.request.method} {handler.request.path}"
+
+
+def shown_request(request: HTTPServerRequest) -> str:
+    """Return the same where Tornado logs a request whose handler raised."""
+    return f"HTTPServerRequest({request.method} {request.path})"
+
+
 def install(settings: Settings):
     """Send every log record of this process to standard error in one form."""
     logging.setLogRecordFactory(ShortRecord)
+    RequestHandler._request_summary = summary
+    HTTPServerRequest.__repr__ = shown_request
+    _HTTPRequestContext.__str__ = lambda context: "a client"
     plain = settings.log_format == "text" or (settings.log_format == "auto" and sys.stderr.isatty())
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(

@@ -14,9 +14,11 @@ from dataclasses import dataclass, field, fields
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
+from urllib.parse import urlsplit
 
 LONGEST_SHOWN = 60
-HOST = r"[A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?"
+LOOPBACK = ("localhost", "127.0.0.1", "::1")  # no other site can take these names
+HOST = r"([A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?|\[[0-9A-Fa-f:.]{2,45}\])"
 
 
 class Kind(NamedTuple):
@@ -90,7 +92,10 @@ class Settings:
     """What a server is told by its environment."""
 
     address: str = setting(
-        "ADDRESS", "127.0.0.1", ADDRESS, "where to listen; 0.0.0.0 opens it to the network"
+        "ADDRESS",
+        "127.0.0.1",
+        ADDRESS,
+        "where to listen; 0.0.0.0 opens it to the network, :: to IPv4 and IPv6",
     )
     port: int = setting("PORT", "5006", whole(1, 65535), "where to listen")
     origins: tuple[str, ...] = setting(
@@ -98,7 +103,7 @@ class Settings:
         "",
         ORIGINS,
         "what browsers have in their address line; others get no connection. Without it:"
-        " localhost and 127.0.0.1 with PORT",
+        " localhost, 127.0.0.1 and [::1] with PORT",
     )
     workers: int = setting(
         "ROTORSTAB_WORKERS", "1", whole(1, 64), "identical workers; they share one secret"
@@ -165,6 +170,13 @@ class Settings:
         "ROTORSTAB_TLS_CERTIFICATE", "", FILE, "nginx: certificate chain (PEM); turns TLS on"
     )
     tls_key: str = setting("ROTORSTAB_TLS_KEY", "", FILE, "nginx: the certificate's key (PEM)")
+    http_port: int = setting(
+        "ROTORSTAB_HTTP_PORT",
+        "0",
+        whole(0, 65535),
+        "nginx with TLS: a second port, mostly 80, whose http:// addresses are sent on to https://;"
+        " 0 for none",
+    )
     hsts: int = setting(
         "ROTORSTAB_HSTS",
         "0",
@@ -178,6 +190,11 @@ class Settings:
         UPSTREAM,
         "nginx alone, in a container: where the workers are; a name may stand for several",
     )
+
+
+def host_name(origin: str) -> str:
+    """Return the host of an origin, without its port and the brackets of an IPv6 address."""
+    return urlsplit(f"//{origin}").hostname or ""
 
 
 class SettingError(ValueError):
@@ -203,26 +220,39 @@ def read(environment: Mapping[str, str] = os.environ) -> Settings:
             raise SettingError(f"{name} must be {kind.allowed}, got {shown}") from None
     if bool(found["tls_certificate"]) != bool(found["tls_key"]):
         raise SettingError("ROTORSTAB_TLS_CERTIFICATE and ROTORSTAB_TLS_KEY are set together")
-    if found["hsts"] and not found["tls_certificate"]:
-        raise SettingError("ROTORSTAB_HSTS is for ROTORSTAB_TLS_CERTIFICATE, which is not set")
+    for name, variable in (("hsts", "ROTORSTAB_HSTS"), ("http_port", "ROTORSTAB_HTTP_PORT")):
+        if found[name] and not found["tls_certificate"]:
+            raise SettingError(f"{variable} is for ROTORSTAB_TLS_CERTIFICATE, which is not set")
+    if found["http_port"] == found["port"]:
+        raise SettingError("ROTORSTAB_HTTP_PORT and PORT must be two ports")
     port = found["port"]
-    found["origins"] = found["origins"] or (f"localhost:{port}", f"127.0.0.1:{port}")
+    found["origins"] = found["origins"] or (
+        f"localhost:{port}",
+        f"127.0.0.1:{port}",
+        f"[::1]:{port}",
+    )
     return Settings(**found)
 
 
 def check_port(settings: Settings) -> None:
-    """Raise SettingError where the address or the port cannot be had."""
-    where = f"PORT {settings.port} of {settings.address}"
+    """Raise SettingError where the address or a port cannot be had."""
+    for name, port in (("PORT", settings.port), ("ROTORSTAB_HTTP_PORT", settings.http_port)):
+        if port:
+            _check_port(name, settings.address, port)
+
+
+def _check_port(name: str, address: str, port: int) -> None:
+    where = f"{name} {port} of {address}"
     reasons = {
         errno.EADDRINUSE: f"{where} is in use",
         errno.EACCES: f"{where} is for root only: choose one from 1024 on",
-        errno.EADDRNOTAVAIL: f"ADDRESS {settings.address} is not one of this machine",
+        errno.EADDRNOTAVAIL: f"ADDRESS {address} is not one of this machine",
     }
-    family = socket.AF_INET6 if ":" in settings.address else socket.AF_INET
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
     try:
         with socket.socket(family) as probe:
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            probe.bind((settings.address, settings.port))
+            probe.bind((address, port))
     except OSError as problem:
         told = reasons.get(problem.errno or 0, f"{where}: {problem.strerror}")
         raise SettingError(told) from None
