@@ -9,19 +9,20 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 from collections.abc import Mapping
 from typing import Any, NoReturn
 
 from rotorstab import ShaftDisk
-from rotorstab.materials import MATERIALS, shear_coefficient
+from rotorstab.materials import MATERIALS, material_named, shear_coefficient
 
+from .foreign_toml import read_toml
 from .quantities import quantity
 from .state import SI_INPUTS, SYMBOLS, State
+from .typed_number import printable, read_number
 
 __all__ = ["LARGEST_FILE", "read_rotor_file", "write_rotor_file"]
 
-LARGEST_FILE = 64_000  # bytes
+LARGEST_FILE = 8_000  # bytes; an honest one has some hundred
 
 _OWN = {"youngs_modulus": "modulus", "shear_modulus": "modulus", "density": "density"}
 _INERTIAS = {"mass": "mass", "diametral_inertia": "inertia", "polar_inertia": "inertia"}
@@ -31,6 +32,7 @@ _KEYS = {
     "nondimensional": ("shear", "disk_mass", "diametral_inertia", "polar_inertia"),
     "operation": ("spin_speed", "load_type", "tangency", "static_load_factor"),
 }
+_HAS_UNIT = re.compile(r"[^\W\d_]{2}|[/°]")
 # the state's input, the key it came from, and one unit of the input in SI
 _SHAFT = {
     "shaft_length": ("length", 1.0),
@@ -47,8 +49,18 @@ _DISK = {
 }
 
 
-def read_rotor_file(text: str) -> dict[str, Any]:
-    """Return the inputs that a rotor file sets, by the state's names; all of them are in range.
+def read_rotor_file(text: str) -> tuple[dict[str, Any], list[str]]:
+    """Return the inputs that a rotor file sets, and what of its [operation] is out of range.
+
+    A rotor is taken whole or not at all. What the dashboard cannot show of its operation, such as
+    a speed beyond the slider's range, is left out and named.
+
+    Returns
+    -------
+    inputs : dict
+        By the state's names; all of them are in range.
+    left_out : list of str
+        One line for the user each.
 
     Raises
     ------
@@ -59,10 +71,14 @@ def read_rotor_file(text: str) -> dict[str, Any]:
         raise ValueError(f"the file is larger than {LARGEST_FILE // 1000} kB")
     reader = _Reader(text)
     values = reader.values()
-    # out of the dashboard's own range is an error of the file, told with its line
+    left_out = []
     for name, problem in State().change(values).items():
-        reader.fail(reader.origins.get(name, ""), _out_of_range(name, values[name], problem))
-    return values
+        key = reader.origins.get(name, "")
+        words = _out_of_range(name, values.pop(name), problem)
+        if not key.startswith("operation."):
+            reader.fail(key, words)
+        left_out.append(reader.sentence(key, words))
+    return values, left_out
 
 
 def _out_of_range(name: str, value: Any, problem: str) -> str:
@@ -73,24 +89,12 @@ def _out_of_range(name: str, value: Any, problem: str) -> str:
     return f"gives {SYMBOLS[name]} = {given}, which {problem}"
 
 
-def _parse(text: str) -> dict[str, Any]:
+def _shown(value: object) -> str:
+    """Return a foreign value as one short line."""
     try:
-        return tomllib.loads(text + "\n\n")  # the last line has a number too
-    except tomllib.TOMLDecodeError as error:
-        words = str(error)
-        found = re.search(r" \(at line (\d+), column \d+\)$", words)
-        where = f"line {found[1]}: " if found else ""
-        words = _plain(words[: found.start()] if found else words)
-        raise ValueError(f"{where}not TOML: {words}") from None
-    except (ValueError, RecursionError, OverflowError):
-        # an integer of thousands of digits, a date that is none, brackets by the thousand
-        raise ValueError("not TOML: a value in it cannot be read") from None
-
-
-def _plain(text: str, longest: int = 80) -> str:
-    """Return a foreign text as one short printable line."""
-    line = "".join(one if one.isprintable() else " " for one in text[: longest + 1])
-    return line if len(text) <= longest else line[:longest] + " …"
+        return printable(repr(value)[:99])
+    except ValueError:  # Python writes no integer of thousands of digits
+        return "a number of thousands of digits"
 
 
 def _lines(text: str) -> dict[str, int]:
@@ -113,14 +117,18 @@ class _Reader:
 
     def __init__(self, text: str) -> None:
         self.lines = _lines(text)
-        self.tables = _parse(text)
+        self.tables = read_toml(text)
         self.origins: dict[str, str] = {}
 
-    def fail(self, key: str, problem: str) -> NoReturn:
-        """Refuse the file because of a key, such as "shaft.length"."""
+    def sentence(self, key: str, problem: str) -> str:
+        """Return a problem of a key, such as "shaft.length", with its line."""
         line = self.lines.get(key) or self.lines.get(key.partition(".")[0])
         where = f"line {line}: " if line else ""
-        raise ValueError(f"{where}{_plain(key)} {problem}")
+        return f"{where}{printable(key, 80)} {problem}"
+
+    def fail(self, key: str, problem: str) -> NoReturn:
+        """Refuse the file because of a key."""
+        raise ValueError(self.sentence(key, problem))
 
     def table(self, name: str) -> Mapping[str, Any]:
         """Return a table with known keys only."""
@@ -138,23 +146,31 @@ class _Reader:
             if key not in self.tables[name]:
                 self.fail(name, f"lacks {key}")
 
-    def quantity(self, path: str, value: object, kind: str, positive: bool = True) -> float:
+    def quantity(self, path: str, value: object, kind: str) -> float:
         """Return a quantity in SI."""
         try:
-            found = quantity(value, kind)
+            return quantity(value, kind)
         except ValueError as error:
-            self.fail(path, _plain(str(error), 200))
-        if found < 0 or (positive and found == 0):
-            self.fail(
-                path, f"must be {'more than 0' if positive else '0 or more'}; {value!r} is not"
-            )
+            self.fail(path, printable(str(error), 250))
+
+    def positive(self, path: str, value: object, kind: str, zero: bool = False) -> float:
+        """Return a quantity in SI that is above 0, or 0 where `zero` allows it."""
+        found = self.quantity(path, value, kind)
+        if found < 0 or (found == 0 and not zero):
+            allowed = "0 or more" if zero else "more than 0"
+            self.fail(path, f"must be {allowed}; {_shown(value)} is not")
         return found
 
     def number(self, path: str, value: object) -> float:
-        """Return a plain finite number."""
+        """Return a plain finite number, which may be a text."""
+        if isinstance(value, str):
+            try:
+                value = read_number(value)
+            except ValueError as error:
+                self.fail(path, f"must be a plain number; {error}")
         plain = isinstance(value, int | float) and not isinstance(value, bool)
         if not plain or not -1e100 < value < 1e100:  # type: ignore[operator]
-            self.fail(path, f"must be a plain number; {_plain(repr(value)[:99], 40)} is not one")
+            self.fail(path, f"must be a plain number; {_shown(value)} is not one")
         return float(value)  # type: ignore[arg-type]
 
     def values(self) -> dict[str, Any]:
@@ -188,7 +204,7 @@ class _Reader:
                     polar_inertia=given["polar_inertia"],
                 )
             except (ValueError, OverflowError, ZeroDivisionError):
-                written = _plain(repr(self.tables["shaft"]["diameter"]), 70)
+                written = _shown(self.tables["shaft"]["diameter"])
                 self.fail(
                     "shaft.diameter",
                     f"does not fit the length: {written} is {shaft['diameter']:.4g} m, "
@@ -234,7 +250,7 @@ class _Reader:
         table = self.table("shaft")
         self.need("shaft", ("length", "diameter"))
         found: dict[str, Any] = {
-            key: self.quantity(f"shaft.{key}", table[key], "length")
+            key: self.positive(f"shaft.{key}", table[key], "length")
             for key in ("length", "diameter")
         }
         material = self.material("shaft", tuple(_OWN))
@@ -242,7 +258,7 @@ class _Reader:
             self.need("shaft", tuple(_OWN))
             found["material"] = "own"
             for key, kind in _OWN.items():
-                found[key] = self.quantity(f"shaft.{key}", table[key], kind)
+                found[key] = self.positive(f"shaft.{key}", table[key], kind)
         else:
             found["material"] = material
             found |= {key: getattr(MATERIALS[material], key) for key in _OWN}
@@ -270,12 +286,11 @@ class _Reader:
         table = self.tables[name]
         if "material" not in table:
             return None
-        material = table["material"]
-        if not isinstance(material, str) or material not in MATERIALS:
+        given = table["material"]
+        material = material_named(given) if isinstance(given, str) else None
+        if material is None:
             words = ", ".join(MATERIALS)
-            self.fail(
-                f"{name}.material", f"must be one of {words}; {_plain(repr(material))} is not"
-            )
+            self.fail(f"{name}.material", f"must be one of {words}; {_shown(given)} is not")
         for key in instead:
             if key in table:
                 self.fail(f"{name}.{key}", "cannot stand beside material, which gives it")
@@ -290,7 +305,7 @@ class _Reader:
                     self.fail(f"disk.{key}", "needs diameter and thickness beside it")
             self.need("disk", tuple(_INERTIAS))
             return {
-                key: self.quantity(f"disk.{key}", table[key], kind, positive=key == "mass")
+                key: self.positive(f"disk.{key}", table[key], kind, zero=key != "mass")
                 for key, kind in _INERTIAS.items()
             }
         for key in _INERTIAS:
@@ -298,13 +313,13 @@ class _Reader:
                 self.fail(f"disk.{key}", "cannot stand beside diameter and thickness")
         self.need("disk", ("diameter", "thickness"))
         diameter, thickness = (
-            self.quantity(f"disk.{key}", table[key], "length") for key in ("diameter", "thickness")
+            self.positive(f"disk.{key}", table[key], "length") for key in ("diameter", "thickness")
         )
         material = self.material("disk", ("density",))
         if material is None:
             if "density" not in table:
                 self.fail("disk", "lacks density or material")
-            density = self.quantity("disk.density", table["density"], "density")
+            density = self.positive("disk.density", table["density"], "density")
         else:
             density = MATERIALS[material].density
         try:
@@ -319,22 +334,20 @@ class _Reader:
         """Return spin speed and load; `frequency` is the scale of a shaft in SI."""
         table = self.table("operation")
         found: dict[str, Any] = {}
+        units = "nondimensional" not in self.tables
         for key, value in table.items():
             path = f"operation.{key}"
             self.origins[key] = path
             if key == "load_type":
-                kinds = State.param.load_type.objects
-                if not isinstance(value, str) or value not in kinds:
-                    self.fail(
-                        path, f"must be one of {', '.join(kinds)}; {_plain(repr(value))} is not"
-                    )
-                found[key] = value
-            elif key == "spin_speed" and isinstance(value, str):
+                kind = value.strip().casefold() if isinstance(value, str) else ""
+                if kind not in State.param.load_type.objects:
+                    words = ", ".join(State.param.load_type.objects)
+                    self.fail(path, f"must be one of {words}; {_shown(value)} is not")
+                found[key] = kind
+            elif key == "spin_speed" and (units or _HAS_UNIT.search(str(value)[:99])):
                 if frequency is None:
                     self.fail(path, "must be a plain number Ω̄ where there is no [shaft]")
-                found[key] = self.quantity(path, value, "speed", positive=False) / frequency
-            elif key == "spin_speed" and "nondimensional" not in self.tables:
-                self.quantity(path, value, "speed")  # says that a unit is missing
+                found[key] = self.quantity(path, value, "speed") / frequency
             else:
                 found[key] = self.number(path, value)
         return found

@@ -7,6 +7,7 @@ unknown, repeated, too long, not a number or out of range is named and left out.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +15,10 @@ from urllib.parse import urlencode
 
 import param
 
+from rotorstab.materials import material_named
+
 from .state import State
+from .typed_number import TwoReadings, read_number
 
 __all__ = [
     "MOST_PINS",
@@ -70,6 +74,13 @@ _KEYS = {
     "si_polar_inertia": "siip",
 }
 _NAMES = {key: name for name, key in _KEYS.items()}
+# keys that other programs add to links; they mean nothing here and are no mistake of the user
+_TRACKING = re.compile(
+    "(utm|mtm|pk|piwik|matomo|hsa|_hs|mc|ga|at|fb)_.*|_hsenc|_hsmi|_ga|_gl|fbclid|gclid|dclid|gclsrc"
+    "|gbraid|wbraid|msclkid|twclid|ttclid|yclid|ysclid|irclickid|sccid|rdt_cid|li_fat_id|igshid|igsh"
+    "|mkt_tok|vero_id|oly_anon_id|oly_enc_id|wickedid|s_cid|srsltid|epik|ref_src|ref_url|trk",
+    re.IGNORECASE,
+)
 _LONGEST = 40  # characters of one value; the longest honest one has 18
 _MOST_NAMED = 8
 MOST_PINS = 3
@@ -117,16 +128,32 @@ def to_query(inputs: Mapping[str, Any], pins: Sequence[PinnedInputs] = ()) -> st
 
 
 def _value(name: str, text: str) -> Any:
-    """Return what a text means for an input; the text itself where it means nothing."""
+    """Return what a text means for an input; the text itself where it means nothing.
+
+    Raises
+    ------
+    ValueError
+        If it is a number with two readings.
+    """
     parameter = State.param[name]
     if isinstance(parameter, param.Boolean):
         return {"0": False, "1": True}.get(text, text)
     if isinstance(parameter, param.Number):
         try:
-            return float(text)
+            return read_number(text)
+        except TwoReadings:
+            raise
         except ValueError:
             return text
-    return text
+    if name == "material":
+        return material_named(text) or text.casefold()
+    choices = {choice.casefold(): choice for choice in parameter.objects}
+    return choices.get(text.casefold(), text)
+
+
+def _is_tracking(key: str) -> bool:
+    """Whether a key was added by a mail program, a search engine or a social network."""
+    return _TRACKING.fullmatch(key[:_LONGEST]) is not None
 
 
 def _decoded(given: Sequence[bytes | str]) -> list[str]:
@@ -144,7 +171,7 @@ def from_arguments(
     doubtful: list[str] = []
     for key, given in arguments.items():
         texts = _decoded(given)
-        if key in _PIN_KEYS:
+        if key in _PIN_KEYS or _is_tracking(str(key)):
             continue
         if key == "v":
             if texts != [str(VERSION)]:
@@ -152,7 +179,10 @@ def from_arguments(
         elif key not in _NAMES or len(texts) != 1 or len(texts[0]) > _LONGEST:
             doubtful.append(str(key)[:20])
         else:
-            values[_NAMES[key]] = _value(_NAMES[key], texts[0])
+            try:
+                values[_NAMES[key]] = _value(_NAMES[key], texts[0])
+            except ValueError as error:
+                doubtful.append(f"{key} ({error})")
     return values, doubtful
 
 

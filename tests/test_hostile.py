@@ -164,7 +164,7 @@ def test_hostile_rotor_files_never_reach_the_solver(session):
         state = State()
         before = state.inputs()
         try:
-            values = read_rotor_file(text)
+            values, left_out = read_rotor_file(text)
         except ValueError as error:
             words = str(error)
             assert len(words) < 400
@@ -172,6 +172,7 @@ def test_hostile_rotor_files_never_reach_the_solver(session):
             assert state.inputs() == before
         else:
             taken += 1
+            assert all(len(one) < 400 for one in left_out)
             assert state.change(values) == {}
             in_bounds(state)
     assert 0 < taken < 150  # the stream holds both sorts

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.quantities import DIMENSIONS, quantity
 from app.rotor_file import LARGEST_FILE, read_rotor_file, write_rotor_file
 from app.state import State
 from rotorstab import TABLE_1_SI, ShaftDisk
@@ -24,10 +23,17 @@ mass = "1.401 kg"
 diametral_inertia = "0.0136 kg m^2"
 polar_inertia = "0.0272 kg m^2"
 """
+NUMBERS = """[nondimensional]
+shear = 0.01
+disk_mass = 4
+diametral_inertia = 0.5
+polar_inertia = 0.9
+"""
 
 
 def test_the_example_gives_the_numbers_of_table_1():
-    values = read_rotor_file(TABLE_1)
+    values, left_out = read_rotor_file(TABLE_1)
+    assert left_out == []
     assert values["shear"] == pytest.approx(2.92191e-4, rel=1e-5)
     assert values["disk_mass"] == pytest.approx(1.161334, rel=1e-6)
     assert values["diametral_inertia"] == pytest.approx(0.0450939, rel=1e-6)
@@ -43,7 +49,7 @@ def test_the_example_gives_the_numbers_of_table_1():
 
 def test_a_solid_disk_of_a_material():
     text = SHAFT + '[disk]\ndiameter = "240 mm"\nthickness = "20 mm"\nmaterial = "aluminium"\n'
-    values = read_rotor_file(text)
+    values, _ = read_rotor_file(text)
     mass = 2700 * math.pi * 0.24**2 / 4 * 0.02
     assert values["si_disk_mass"] == pytest.approx(mass)
     assert values["si_polar_inertia"] == pytest.approx(mass * 0.12**2 / 2)
@@ -55,23 +61,77 @@ def test_units_of_many_kinds_give_one_rotor():
     inches = SHAFT.replace("0.5 m", "50 cm").replace("20 mm", "2.0e-2 m") + DISK.replace(
         "1.401 kg", "1401 g"
     ).replace("0.0136 kg m^2", "136 kg*cm²")
-    one, other = read_rotor_file(SHAFT + DISK), read_rotor_file(inches)
+    (one, _), (other, _) = read_rotor_file(SHAFT + DISK), read_rotor_file(inches)
     assert one.keys() == other.keys()
     for name, value in one.items():
         assert other[name] == (value if isinstance(value, str) else pytest.approx(value, rel=1e-12))
 
 
+PLAIN = {
+    "units": "non-dimensional",
+    "shear": 0.01,
+    "disk_mass": 4.0,
+    "diametral_inertia": 0.5,
+    "polar_inertia": 0.9,
+    "spin_speed": 1.5,
+}
+
+
 def test_plain_numbers():
     text = "[nondimensional]\nshear = 0.01\ndisk_mass = 4\n"
     text += "diametral_inertia = 0.5\npolar_inertia = 0.9\n[operation]\nspin_speed = 1.5\n"
-    assert read_rotor_file(text) == {
-        "units": "non-dimensional",
-        "shear": 0.01,
-        "disk_mass": 4.0,
-        "diametral_inertia": 0.5,
-        "polar_inertia": 0.9,
-        "spin_speed": 1.5,
-    }
+    assert read_rotor_file(text) == (PLAIN, [])
+    # a number in quotes, and one with a decimal comma, is still a number
+    typed = text.replace("0.01", '"0,01"').replace("4\n", '"4.0"\n').replace("1.5", '"1,5"')
+    assert read_rotor_file(typed) == (PLAIN, [])
+
+
+@pytest.mark.parametrize(
+    ("key", "written", "words"),
+    [
+        ("spin_speed", '"60000 rpm"', "line 10: operation.spin_speed gives Ω̄ = 60.7"),
+        ("spin_speed", '"-100 rpm"', "line 10: operation.spin_speed gives Ω̄ = -0.1012"),
+        ("static_load_factor", "7", "line 10: operation.static_load_factor gives α_s = 7, which"),
+        ("tangency", "1.5", "line 10: operation.tangency gives μ = 1.5, which must be a number"),
+    ],
+)
+def test_what_the_sliders_cannot_show_of_the_operation_is_left_out(key, written, words):
+    rotor, _ = read_rotor_file(SHAFT + DISK)
+    operation = f'[operation]\n{key} = {written}\nload_type = "Follower"\n'
+    values, (left_out,) = read_rotor_file(SHAFT + DISK + operation)
+    assert values == rotor | {"load_type": "follower"}
+    assert left_out.startswith(words)
+    assert "must be a number from 0 to" in left_out
+    # of the plain numbers too
+    values, left_out = read_rotor_file(f"{NUMBERS}[operation]\nspin_speed = 4.01\n")
+    assert "spin_speed" not in values
+    assert left_out == [
+        "line 7: operation.spin_speed gives Ω̄ = 4.01, which must be a number from 0 to 4"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("written", "name"),
+    [
+        ("Steel", "steel"),
+        ("STEEL", "steel"),
+        (" mild steel ", "steel"),
+        ("Structural-Steel", "steel"),
+        ("aluminum", "aluminium"),
+        ("Aluminium", "aluminium"),
+        ("ALUMINUM", "aluminium"),
+        ("Ti-6Al-4V", "titanium"),
+        ("Ti6Al4V", "titanium"),
+        ("Titanium", "titanium"),
+    ],
+)
+def test_materials_are_known_as_people_write_them(written, name):
+    values, _ = read_rotor_file(SHAFT.replace("steel", written) + DISK)
+    assert values["material"] == name
+    solid = f'[disk]\ndiameter = "240 mm"\nthickness = "20 mm"\nmaterial = "{written}"\n'
+    values, _ = read_rotor_file(SHAFT + solid)
+    volume = math.pi * 0.24**2 / 4 * 0.02
+    assert values["si_disk_mass"] == pytest.approx(MATERIALS[name].density * volume)
 
 
 REFUSED = [
@@ -83,7 +143,17 @@ REFUSED = [
     (SHAFT.replace("0.5 m", "-1 m") + DISK, "line 2: shaft.length must be more than 0"),
     (SHAFT.replace("0.5 m", "1e999 m") + DISK, "line 2: .* too large"),
     (SHAFT.replace("0.5 m", "1e30 m") + DISK, "line 2: shaft.length must be a number"),
-    (SHAFT.replace("0.5 m", "1 m**999999999") + DISK, "line 2: .* is not one number and one unit"),
+    (SHAFT.replace("0.5 m", "1 m**999999999") + DISK, "line 2: .* has no unit that is known"),
+    (SHAFT + DISK.replace("1.401 kg", "1,200 kg"), "line 6: .* can mean 1.2 or 1200: write one"),
+    (SHAFT.replace('"0.5 m"', "0.5 m") + DISK, 'line 2: a quantity is a text in quotes: "0.5 m"'),
+    ("[nondimensional]\nshear = 0,01\n", "line 2: write a number with a point, 0.01, not"),
+    ("[nondimensional]\nshear = 0x" + "f" * 5000, "line 1: nondimensional lacks"),
+    (NUMBERS.replace("0.01", "0x" + "f" * 5000), "line 2: .* a number of thousands of digits is"),
+    (NUMBERS.replace("0.01", "[" + "0x" + "f" * 5000 + "]"), "line 2: .* a number of thousands"),
+    (NUMBERS + '[operation]\nspin_speed = "500 rpm"\n', "line 7: .* plain number Ω̄ where there"),
+    (NUMBERS + '[operation]\nspin_speed = "1,500"\n', "line 7: .* can mean 1.5 or 1500"),
+    (SHAFT + DISK + '[operation]\nspin_speed = "50 kg"\n', "line 10: .* is not one"),
+    (SHAFT + DISK + '[operation]\nspin_speed = "50"\n', "line 10: .* one number and one unit"),
     (SHAFT.replace("steel", "cheese") + DISK, "line 4: shaft.material must be one of steel"),
     (SHAFT + 'density = "1 g/cm^3"\n' + DISK, "line 5: shaft.density cannot stand beside material"),
     (SHAFT + 'colour = "red"\n' + DISK, "line 5: shaft.colour is unknown"),
@@ -98,16 +168,15 @@ REFUSED = [
     (SHAFT + DISK + "[operation]\nspin_speed = 10\n", "line 10: .* as text in quotes"),
     (SHAFT + DISK + '[operation]\nload_type = "sideways"\n', "line 10: .* one of axial"),
     (SHAFT + DISK + "[operation]\nstatic_load_factor = nan\n", "line 10: .* plain number"),
-    (SHAFT + DISK + "[operation]\nstatic_load_factor = 7\n", "line 10: .* from 0 to 0.95"),
     (SHAFT + DISK + "[nondimensional]\n", "line 5: disk cannot stand beside"),
     ("[nondimensional]\nshear = 0.01\n", "line 1: nondimensional lacks disk_mass"),
     (SHAFT.replace("20 mm", "5 m") + DISK, "line 3: shaft.diameter .* '5 m' is 5 m"),
-    (SHAFT.replace("20 mm", "20 furlongs") + DISK, "line 3: .* '20 furlongs' is 4023 m"),
-    ("a = " + "[" * 5000, "not TOML"),
-    ("a = " + "9" * 5000, "not TOML"),
+    (SHAFT.replace("20 mm", "4400 yd") + DISK, "line 3: .* '4400 yd' is 4023 m"),
+    ("a = " + "[" * 5000, "line 1: it is nested deeper than 8 levels"),
+    ("a = " + "9" * 5000, "line 1: a number has too many digits"),
     ("a = 2001-99-99", "not TOML"),
-    ("#" * (LARGEST_FILE + 1), "larger than 64 kB"),
-    ("#" + "é" * (LARGEST_FILE // 2), "larger than 64 kB"),
+    ("#" * (LARGEST_FILE + 1), "larger than 8 kB"),
+    ("#" + "é" * (LARGEST_FILE // 2), "larger than 8 kB"),
     ("\ud800", "not TOML"),
 ]
 
@@ -124,10 +193,10 @@ def test_a_bad_file_is_refused_in_one_line(text, match):
 def only_a_line(text):
     values, problem = {}, None
     try:
-        values = read_rotor_file(text)
+        values, left_out = read_rotor_file(text)
+        assert all(one.isprintable() and len(one) < 400 for one in left_out)
     except ValueError as error:
         problem = error
-    assert type(problem) in (type(None), ValueError)
     assert str(problem).isprintable()
     assert len(str(problem)) < 400
     assert State().change(values) == {}
@@ -167,36 +236,6 @@ def test_any_values_of_the_keys_give_inputs_or_one_line(data):
     only_a_line("\n".join(lines))
 
 
-@given(st.text(max_size=70) | st.text("0123456789.e+-^*/ mkgµ²", max_size=30))
-def test_any_text_is_a_positive_or_negative_quantity_or_refused(text):
-    for kind in DIMENSIONS:
-        problem = "must be "
-        try:
-            assert math.isfinite(quantity(text, kind))
-        except ValueError as error:
-            problem = str(error)
-        assert problem.startswith("must be ")
-
-
-@pytest.mark.parametrize(
-    ("text", "kind", "value"),
-    [
-        ("20 mm", "length", 0.02),
-        ("20mm", "length", 0.02),
-        ("−2.5e-1 m", "length", -0.25),
-        ("1 in", "length", 0.0254),
-        ("207000 N/mm^2", "modulus", 207e9),
-        ("207 kN/mm²", "modulus", 207e9),
-        ("7.85 g/cm**3", "density", 7850),
-        ("60 rpm", "speed", 2 * math.pi),
-        ("360 deg/s", "speed", 2 * math.pi),
-        ("136 kg·cm²", "inertia", 0.0136),
-    ],
-)
-def test_quantities(text, kind, value):
-    assert quantity(text, kind) == pytest.approx(value, rel=1e-12)
-
-
 @pytest.mark.parametrize(
     "values",
     [
@@ -204,14 +243,14 @@ def test_quantities(text, kind, value):
         {"units": "SI"},
         {"units": "SI", "material": "titanium", "shaft_length": 0.7},
         {"load_type": "partly", "tangency": 0.3, "spin_speed": 1.7},
-        read_rotor_file(TABLE_1),
+        read_rotor_file(TABLE_1)[0],
     ],
 )
 def test_what_is_written_reads_back(values):
     state = State()
     assert state.change(values) == {}
     back = State()
-    assert back.change(read_rotor_file(write_rotor_file(state))) == {}
+    assert back.change(read_rotor_file(write_rotor_file(state))[0]) == {}
     for name, value in state.inputs().items():
         given = value if isinstance(value, str | bool) else pytest.approx(value, rel=1e-11)
         assert getattr(back, name) == given, name

@@ -618,3 +618,15 @@ def test_no_two_charts_of_a_user_share_a_model():
             for model in chart.figure.references():
                 assert seen.setdefault(model.id, key) == key, (model, key)
     assert set(seen.values()) > {"instability", "orbit", "k11", "k22", "errors"}
+
+
+def test_a_rotor_file_whose_speed_is_beyond_the_slider_is_taken_but_for_the_speed(session):
+    change(session, spin_speed=1.0)
+    text = ROTOR_FILE.read_text("utf-8").replace("1000 rpm", "30000 rpm")
+    answer = session.respond({"type": "rotor_file", "text": text})
+    assert "shaft_error" not in answer
+    assert answer["shaft_notice"].startswith("The rotor was taken, but not line ")
+    assert "operation.spin_speed gives Ω̄ = 30." in answer["shaft_notice"]
+    assert answer["values"]["spin_speed"] == 1.0
+    assert answer["shaft"]["in_use"]
+    json.dumps(answer, allow_nan=False)

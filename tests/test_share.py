@@ -242,3 +242,45 @@ def test_a_session_names_a_pin_without_an_answer_and_keeps_the_rest(monkeypatch,
     assert "spin (must be" in notice
     assert "detail" not in notice
     assert "a detail of the inside" in caplog.text
+
+
+def test_a_link_takes_numbers_and_names_as_the_boxes_do():
+    given = "v=1&as=0,3&spin=1,5&phi=0,0125&load=Follower&u=si&mat=Aluminum&law=EXACT&simd=1 200,5"
+    inputs, _, words = reopened(arguments(given.replace(" ", "%C2%A0")))
+    assert words == ""
+    assert inputs == State().inputs() | {
+        "static_load_factor": 0.3,
+        "spin_speed": 1.5,
+        "shear": 0.0125,
+        "load_type": "follower",
+        "units": "SI",
+        "material": "aluminium",
+        "law": "exact",
+        "si_disk_mass": 1200.5,
+    }
+    inputs, (pin,), words = reopened(arguments("p1=spin_0,5~load_Follower~~a"))
+    assert (pin.inputs["spin_speed"], pin.inputs["load_type"], words) == (0.5, "follower", "")
+
+
+def test_a_number_with_two_readings_in_a_link_is_refused_and_both_are_named():
+    inputs, pins, words = reopened(arguments("spin=1.5&simd=1,200&p1=simd_1,200~~heavy"))
+    assert inputs == State().inputs() | {"spin_speed": 1.5}
+    assert pins == []
+    assert words.startswith("Ignored in the address: simd ('1,200' can mean 1.2 or 1200: write one")
+    inputs, _, words = reopened(arguments("rho=7,850"))
+    assert inputs == State().inputs()
+    assert "rho ('7,850' can mean 7.85 or 7850" in words
+
+
+TRACKED = "utm_source utm_medium utm_campaign UTM_Content fbclid gclid msclkid mc_cid mc_eid "
+TRACKED += "_hsenc igshid pk_campaign mtm_source yclid gbraid wbraid dclid twclid _gl _ga mkt_tok"
+
+
+def test_keys_that_other_programs_add_are_ignored_without_a_notice():
+    query = "&".join(f"{key}=abc{'x' * 200}" for key in TRACKED.split())
+    inputs, pins, words = reopened(arguments(f"spin=1.5&{query}&fbclid=again"))
+    assert (inputs, pins, words) == (State().inputs() | {"spin_speed": 1.5}, [], "")
+    # none of them is a key of ours
+    ours = parse_qs(to_query(State().inputs()), keep_blank_values=True)
+    _, doubtful = from_arguments({key: ["x", "y"] for key in ours})
+    assert sorted(doubtful) == sorted(ours)

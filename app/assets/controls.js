@@ -136,10 +136,9 @@ export function render({ model, el }) {
       slider.dispatchEvent(new Event("input"));
     });
     const commit = () => {
-      const typed = box.value.trim().replace("−", "-").replace(",", ".");
-      const value = Number(typed);
-      if (typed === "" || !Number.isFinite(value) || value < field.low || value > field.high) {
-        say(`must be a number from ${field.low} to ${field.high}`);
+      const { value, doubt } = page.typed(box.value);
+      if (!(value >= field.low && value <= field.high)) {
+        say(doubt || `must be a number from ${field.low} to ${field.high}`);
         return;
       }
       say("");
@@ -196,10 +195,9 @@ export function render({ model, el }) {
     };
     const show = (value) => { if (el.getRootNode().activeElement !== box) box.value = String(Number(value.toPrecision(9))); };
     const commit = () => {
-      const typed = box.value.trim().replace("−", "-").replace(",", ".");
-      const value = Number(typed);
-      if (typed === "" || !Number.isFinite(value) || value < field.low || value > field.high) {
-        say(`must be a number from ${field.low} to ${field.high} ${field.unit}`.trim());
+      const { value, doubt } = page.typed(box.value);
+      if (!(value >= field.low && value <= field.high)) {
+        say(doubt || `must be a number from ${field.low} to ${field.high} ${field.unit}`.trim());
         return;
       }
       say("");

@@ -43,11 +43,11 @@ window.rotorstab.inspector = (() => {
   function say(words) { one(".marker-error").textContent = words; }
 
   function commit(box, name) {
-    const value = Number(box.value.trim().replace("−", "-").replace(",", "."));
+    const { value, doubt } = page.typed(box.value);
     const [low, high] = BOUNDS[name];
-    const good = box.value.trim() !== "" && Number.isFinite(value) && value >= low && value <= high;
+    const good = value >= low && value <= high;
     box.toggleAttribute("aria-invalid", !good);
-    if (!good) { say(`${NAMES[name]} must be a number from ${low} to ${high}`); return; }
+    if (!good) { say(`${NAMES[name]} ${doubt || `must be a number from ${low} to ${high}`}`); return; }
     say("");
     if (box.dataset.marker) place(...["marker_frequency", "marker_factor"].map((key) => (key === name ? value : values[key])));
     else page.change(name, Math.round(value));

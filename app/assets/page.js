@@ -101,6 +101,27 @@ window.rotorstab = (() => {
   }
   page.written = (value, digits = 4) => grouped(String(Number(value.toPrecision(digits))));
 
+  // a number as people type it, by the rules of typed_number.py: { value }, or { doubt } in words
+  const TYPED = new RegExp(`^[+-]?(?:${[
+    "\\d{1,3}(?:[ \u00a0\u2009\u202f'’_]\\d{3})+(?:[.,]\\d*)?", "\\d{1,3}(?:,\\d{3})+\\.\\d*", "\\d{1,3}(?:\\.\\d{3})+,\\d*",
+    "\\d{1,3}(?:,\\d{3}){2,}", "\\d{1,3}(?:\\.\\d{3}){2,}", "\\d+(?:[.,]\\d*)?", "[.,]\\d+",
+  ].join("|")})(?:[eE][+-]?\\d{1,3})?$`);
+  page.typed = (text) => {
+    let plain = text.trim().replaceAll("−", "-");
+    if (!TYPED.test(plain)) return { value: NaN };
+    if (/^[+-]?[1-9]\d{0,2},\d{3}(?:[eE][+-]?\d+)?$/.test(plain)) {
+      const [one, other] = [".", ""].map((sign) => Number(plain.replace(",", sign)));
+      return { doubt: `was typed as ${plain}, which can mean ${one} or ${other}: write one of them` };
+    }
+    plain = plain.replace(/[ \u00a0\u2009\u202f'’_]/g, "");
+    const count = (sign) => plain.split(sign).length - 1;
+    const last = plain[Math.max(plain.lastIndexOf("."), plain.lastIndexOf(","))];
+    // the sign that comes more than once, or not last, groups thousands
+    const group = count(".") > 1 ? "." : count(",") > 1 ? "," : count(".") && count(",") ? (last === "." ? "," : ".") : "";
+    if (group) plain = plain.replaceAll(group, "");
+    return { value: Number(plain.replace(",", ".")) };
+  };
+
   function small(words, kind = "") {
     const made = document.createElement("small");
     made.className = kind;

@@ -1,7 +1,7 @@
 // Units: the panel below the shaft's data in the sidebar, rotor files, and taps on charts in SI.
 window.rotorstab.units = (() => {
   const page = window.rotorstab;
-  const LARGEST = 64000; // bytes, as the server's
+  const LARGEST = 8000; // bytes, as the server's
   let factors = {};
   let parts = null;
 
@@ -43,6 +43,7 @@ window.rotorstab.units = (() => {
       parts.use.disabled = in_use || !good;
     }
     if (data.shaft_error !== undefined) say(data.shaft_error && `${data.shaft_error}. Nothing was changed.`);
+    if (data.shaft_notice) say(data.shaft_notice);
     if (data.values) document.documentElement.dataset.units = data.values.units;
     if (data.si !== undefined) factors = data.si ? data.si.factors : {};
   }

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..typed_number import TwoReadings, read_number
 from .expressions import DEFAULT_CASE, Values
 from .format import Lesson, Step
 from .markdown import plain
@@ -104,6 +105,7 @@ def unanswerable(lesson: Lesson) -> tuple[int, str] | None:
 
 
 def _number(value: Any) -> float | None:
+    """Return the number of an answer, None where it is none."""
     if isinstance(value, bool):
         return None
     if isinstance(value, int | float):
@@ -111,10 +113,11 @@ def _number(value: Any) -> float | None:
     if not isinstance(value, str) or len(value) > _LONGEST:
         return None
     try:
-        number = float(value.strip().replace("−", "-").replace(",", ".").rstrip("%"))
+        return read_number(value.strip().rstrip("%"))
+    except TwoReadings:
+        raise
     except ValueError:
         return None
-    return number if math.isfinite(number) else None
 
 
 def told(step: Step) -> str:
@@ -161,7 +164,10 @@ def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
             return Grade(False, str(plain(str(error))))
         return Grade(False, _OTHERWISE if elsewhere else question.hint)
     answer = solution(step)
-    number = _number(value)
+    try:
+        number = _number(value)
+    except TwoReadings as error:
+        return Grade(False, str(plain(f"{error}.")), counted=False)
     if question.kind == "choice":
         if number is None or not number.is_integer() or not 0 <= number < len(question.choices):
             return Grade(False, _NOT_YET, counted=False)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..foreign_toml import TomlError, read_toml
 from ..state import State
 
 __all__ = ["LessonError", "Table", "set_inputs"]
@@ -33,14 +33,9 @@ class Table:
 
     def read(self) -> dict[str, Any]:
         try:
-            return tomllib.loads(self.text)
-        except tomllib.TOMLDecodeError as error:
-            found = re.search(r"at line (\d+)", str(error))
-            at = int(found[1]) - 1 if found else self.text.count("\n")
-            reason = re.sub(r" \(at .*\)$", "", str(error))
-            raise LessonError(self.line + at, f"TOML: {reason[:200]}") from None
-        except (ValueError, RecursionError) as error:
-            raise LessonError(self.line, f"TOML: {str(error)[:200]}") from None
+            return read_toml(self.text)
+        except TomlError as error:
+            raise LessonError(self.line + error.line - 1, error.reason) from None
 
     def where(self, key: str) -> int:
         for number, line in enumerate(self.text.splitlines()):

@@ -153,10 +153,14 @@ class Explore(Page):
             file = {"name": name, "mime": "application/toml", "base64": data}
             return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
         try:
-            # whole or not at all: a bad file leaves every input as it was
-            state.change(read_rotor_file(text if isinstance(text, str) else ""))
+            # the rotor whole or not at all: a bad file leaves every input as it was
+            values, left_out = read_rotor_file(text if isinstance(text, str) else "")
         except ValueError as error:
             return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
+        state.change(values)
+        if left_out:
+            notice = f"The rotor was taken, but not {'; '.join(left_out)}."
+            return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
         return Reply({"shaft_error": "", "told": "the rotor file is open"})
 
     def beside(self, state: State) -> dict[str, Any]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 from .checks import number
 
-__all__ = ["MATERIALS", "Material", "shear_coefficient"]
+__all__ = ["MATERIALS", "Material", "material_named", "shear_coefficient"]
 
 
 def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
@@ -87,3 +88,41 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
     }
 )
 """Handbook values by name; a real bar may differ by a few per cent."""
+
+# as letters and digits only; other alloys have other values and no name here
+_OTHER_NAMES: Mapping[str, str] = MappingProxyType(
+    {
+        "structuralsteel": "steel",
+        "carbonsteel": "steel",
+        "mildsteel": "steel",
+        "aluminum": "aluminium",
+        "aluminiumalloy": "aluminium",
+        "aluminumalloy": "aluminium",
+        "titaniumalloy": "titanium",
+        "ti6al4v": "titanium",
+        "titaniumti6al4v": "titanium",
+    }
+)
+
+
+def material_named(text: str) -> str | None:
+    """Return the key of `MATERIALS` that a name means, or None where it means none of them.
+
+    Case, spaces and hyphens do not count.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    str or None
+
+    Examples
+    --------
+    >>> material_named("Aluminum"), material_named("Ti-6Al-4V"), material_named("cheese")
+    ('aluminium', 'titanium', None)
+    """
+    plain = re.sub(r"[\s_\-–‐()]+", "", text).casefold()
+    name = _OTHER_NAMES.get(plain, plain)
+    return name if name in MATERIALS else None
