@@ -145,12 +145,13 @@ def circle(*angles):
 )
 def test_closed_form_multipliers(roots):
     c1, c2, c3 = characteristic_coefficients(np.diag(roots), np.complex128(1))
-    growth, _, _ = self_inversive_growth(np.array([[c1.real], [c1.imag], [c2.real]]))
+    coefficients = np.array([[c1.real], [c1.imag], [c2.real]])
+    growth, _, _ = self_inversive_growth(coefficients, np.zeros((3, 1)))
     expected = np.log(np.abs(roots)).max()
     assert growth[0] == pytest.approx(expected, abs=1e-7)
     for found in (
         self_inversive_multipliers(np.array([[c1.real], [c1.imag], [c2.real]])),
-        quartic_multipliers(np.array([[c1], [c2], [c3]])),
+        quartic_multipliers(np.array([[c1], [c2], [c3]]))[0],
     ):
         gap = np.abs(found.ravel()[:, None] - roots)
         assert gap.min(axis=1).max() < 1e-6

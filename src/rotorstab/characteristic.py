@@ -1,8 +1,7 @@
 """From monodromy matrices to multipliers: characteristic polynomials in closed form.
 
-For two degrees of freedom, scaled to determinant 1, the polynomial is
-μ⁴ − c₁μ³ + c₂μ² − c₃μ + 1; without damping c₃ = c̄₁ and c₂ is real, for the multipliers
-come in pairs μ, 1/μ̄.
+For two degrees of freedom the polynomial is μ⁴ − c₁μ³ + c₂μ² − c₃μ + c₄; without damping it
+is scaled to c₄ = 1, then c₃ = c̄₁ and c₂ is real, for the multipliers come in pairs μ, 1/μ̄.
 """
 
 from __future__ import annotations
@@ -16,7 +15,6 @@ __all__ = [
     "quartic_multipliers",
     "reversed_coefficients",
     "self_inversive_multipliers",
-    "slopes",
     "solved",
 ]
 
@@ -69,7 +67,7 @@ def characteristic_coefficients(monodromy: Complex, scale: Complex) -> Complex:
     ----------
     monodromy : (4, 4, ...) complex
     scale : (...) complex
-        A fourth root of the determinant.
+        Any number, such as a fourth root of the determinant.
 
     Returns
     -------
@@ -195,22 +193,29 @@ def self_inversive_multipliers(coefficients: Array) -> Complex:
     return roots
 
 
-def quartic_multipliers(coefficients: Complex) -> Complex:
-    """Return the four roots of μ⁴ − c₁μ³ + c₂μ² − c₃μ + 1, Ferrari's way, then two Newton steps.
+def quartic_multipliers(
+    coefficients: Complex, determinant: Array | float = 1.0
+) -> tuple[Complex, Array, Array, Array]:
+    """Return the four roots of μ⁴ − c₁μ³ + c₂μ² − c₃μ + c₄, Ferrari's way, then two Newton steps.
 
     Parameters
     ----------
     coefficients : (3, ...) complex
+        c₁, c₂, c₃.
+    determinant : (...) float
+        c₄; broadcasts.
 
     Returns
     -------
-    (4, ...) complex
+    roots : (4, ...) complex
+    value, slope, bend : (4, ...) float
+        Moduli of the quartic, of its derivative and of half its second one, before the last step.
     """
     c1, c2, c3 = coefficients
-    linear = c1 * c3 - 4
+    linear = c1 * c3 - 4 * determinant
     mean = c2 / 3
     q = mean * mean - linear / 3
-    r = mean * (q - linear / 6) + (c1 * c1 + c3 * c3) / 2 - 2 * c2
+    r = mean * (q - linear / 6) + (c1 * c1 * determinant + c3 * c3) / 2 - 2 * c2 * determinant
     root = np.sqrt(r * r - q * q * q)
     root = np.where((r.conj() * root).real < 0, -root, root)
     big = (r + root) ** (1 / 3)
@@ -220,7 +225,7 @@ def quartic_multipliers(coefficients: Complex) -> Complex:
     # the root farthest from the others is the well conditioned one
     slope = np.abs(3 * (candidates - mean) ** 2 - 3 * q)
     y = np.take_along_axis(candidates, slope.argmax(axis=0)[None], 0)[0]
-    w2, d2 = c1 * c1 / 4 - c2 + y, y * y / 4 - 1
+    w2, d2 = c1 * c1 / 4 - c2 + y, y * y / 4 - determinant
     product = (c1 * y / 2 - c3) / 2
     use_w = np.abs(w2) >= np.abs(d2)
     first = np.sqrt(np.where(use_w, w2, d2))
@@ -234,21 +239,18 @@ def quartic_multipliers(coefficients: Complex) -> Complex:
         large = (p + split) / 2
         roots[2 * index] = large
         roots[2 * index + 1] = s / np.where(large == 0, 1.0, large)
-    return _polish(roots, coefficients)
+    roots, *_ = _newton_step(roots, coefficients, determinant)
+    return _newton_step(roots, coefficients, determinant)
 
 
-def slopes(roots: Complex, coefficients: Complex) -> tuple[Complex, Complex, Complex]:
-    """Return the quartic's value, first and half second derivative at approximate roots."""
+def _newton_step(
+    roots: Complex, coefficients: Complex, determinant: Array | float
+) -> tuple[Complex, Array, Array, Array]:
+    """Take a Newton step, save where roots nearly coincide; return also the moduli it used."""
     c1, c2, c3 = coefficients
-    value = (((roots - c1) * roots + c2) * roots - c3) * roots + 1
-    first = ((4 * roots - 3 * c1) * roots + 2 * c2) * roots - c3
-    return value, first, (6 * roots - 3 * c1) * roots + c2
-
-
-def _polish(roots: Complex, coefficients: Complex) -> Complex:
-    """Take two Newton steps, save where roots nearly coincide."""
-    for _ in range(2):
-        value, slope, bend = slopes(roots, coefficients)
-        safe = np.abs(slope) ** 2 > 4 * np.abs(value * bend)
-        roots = roots - np.where(safe, value / np.where(safe, slope, 1.0), 0)
-    return roots
+    value = (((roots - c1) * roots + c2) * roots - c3) * roots + determinant
+    slope = ((4 * roots - 3 * c1) * roots + 2 * c2) * roots - c3
+    bend = (6 * roots - 3 * c1) * roots + c2
+    sizes = np.abs(value), np.abs(slope), np.abs(bend)
+    safe = sizes[1] ** 2 > 4 * sizes[0] * sizes[2]
+    return roots - np.where(safe, value / np.where(safe, slope, 1.0), 0), *sizes

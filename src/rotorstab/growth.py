@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from .characteristic import NEAR_END, pair_halves, quartic_multipliers, slopes
+from .characteristic import pair_halves, quartic_multipliers
 
 __all__ = ["largest_modulus", "matrix_growth", "self_inversive_growth"]
 
@@ -15,11 +15,12 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 _BLOCK = 8192  # polynomials worked on together: what a cache holds
+_FAR = 0.1  # of a multiplier: errors that move it farther are beyond a Taylor series
 _LOST = 1e-13  # rounding in the cubic's discriminant
 
 
 def self_inversive_growth(
-    coefficients: Array, error: Array | float = 0.0, nearness: bool = False
+    coefficients: Array, error: Array, nearness: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of self-inversive quartics and how far it may be wrong.
 
@@ -27,8 +28,8 @@ def self_inversive_growth(
     ----------
     coefficients : (3, ...) float
         Re c₁, Im c₁, c₂.
-    error : (...) float
-        Bound on the errors of the coefficients.
+    error : (3, ...) float
+        Bounds on their errors.
     nearness : bool
         Whether to fill `approach`.
 
@@ -46,17 +47,17 @@ def self_inversive_growth(
         growth, uncertainty, pairs = _pair_growth(coefficients, error)
         return growth, uncertainty, _approach(*pairs)
     shape = coefficients.shape[1:]
-    flat, slack = coefficients.reshape(3, -1), np.broadcast_to(error, shape).reshape(-1)
+    flat, slack = coefficients.reshape(3, -1), error.reshape(3, -1)
     growth, uncertainty = np.zeros((2, flat.shape[1]))
     doubtful = np.concatenate(
         [
-            start + np.flatnonzero(~_surely_on_circle(flat[:, part], slack[part]))
+            start + np.flatnonzero(~_surely_on_circle(flat[:, part], slack[:, part].max(axis=0)))
             for start in range(0, flat.shape[1], _BLOCK)
             for part in (slice(start, start + _BLOCK),)
         ]
     )
     if doubtful.size:
-        found = _pair_growth(flat[:, doubtful], slack[doubtful])
+        found = _pair_growth(flat[:, doubtful], slack[:, doubtful])
         growth[doubtful], uncertainty[doubtful] = found[:2]
     return growth.reshape(shape), uncertainty.reshape(shape), np.broadcast_to(np.nan, shape)
 
@@ -93,28 +94,61 @@ def _surely_on_circle(coefficients: Array, error: Array | float) -> NDArray[np.b
 
 
 def _pair_growth(
-    coefficients: Array, error: Array | float
+    coefficients: Array, error: Array
 ) -> tuple[Array, Array, tuple[Array, Array, Array]]:
-    """Return growth and uncertainty of `self_inversive_growth`, and y with the sums P."""
+    """Return growth and uncertainty of `self_inversive_growth`, and y with the sums P.
+
+    With μ = e^{jα/2 + g} the polynomial is μ² (P₁ − 2cosh g)(2cosh(g + jα) − P₂) and an error of
+    its coefficients is μ² times 2|cosh(g + jα/2)| δRe c₁ + 2|sinh(g + jα/2)| δIm c₁ + δc₂.
+    """
     y, total, difference = pair_halves(*coefficients)
-    largest = (total + difference) / 2
-    # how far the colliding pair stays from the other one
-    distance = np.minimum(np.abs(y - (total - difference) / 2), 1)
-    distance *= distance
-    slack = 2 * error / np.maximum(distance, np.minimum(np.sqrt(error) + 1e-300, 1))
-    end = np.abs(y) > 2 - 4 * NEAR_END
-    if end.any():
-        # there one of S and D is the root of a difference
-        small = np.minimum(total, difference)
-        slack += np.where(end, 8 * error / np.maximum(small, np.sqrt(8 * error) + 1e-300), 0)
-    growth = np.arccosh(np.maximum(largest, 2.0) / 2)
+    largest, other = (total + difference) / 2, (total - difference) / 2
+    half = np.maximum(largest, 2.0) / 2  # cosh g
+    square = half * half - 1
+    cos2, sin2 = (2 + y) / 4, (2 - y) / 4
+    size = error[2] + 2 * (np.sqrt(square + cos2) * error[0] + np.sqrt(square + sin2) * error[1])
+    distance = np.sqrt((half * y - other) ** 2 + 16 * square * cos2 * sin2)
+    slack = _shift(size, distance, 1.0)
+    growth = np.arccosh(half)
     near = largest + slack > 2
     uncertainty = np.zeros_like(growth)
     upper, lower = (
         np.arccosh(np.maximum(largest[near] + sign * slack[near], 2.0) / 2) for sign in (1, -1)
     )
     uncertainty[near] = np.maximum(upper - growth[near], growth[near] - lower)
-    return growth, uncertainty, (y, largest, (total - difference) / 2)
+    lost = ~(slack < _FAR * np.maximum(largest, 2))
+    if lost.any():
+        size = np.array(
+            [np.hypot(coefficients[0, lost], coefficients[1, lost]), np.abs(coefficients[2, lost])]
+        )
+        doubt = np.array([np.hypot(error[0, lost], error[1, lost]), error[2, lost]])
+        uncertainty[lost] = _far_off(growth[lost], size, doubt)
+    return growth, uncertainty, (y, largest, other)
+
+
+def _shift(value: Array, slope: Array, bend: Array | float) -> Array:
+    """Return how far a root of a function may lie, given bounds of its value at this point.
+
+    With b = |f″|/2 the nearest root of v + f′h + bh² is at most 2v/|f′| and √(v/b) away, whatever
+    the phases are; twice the latter leaves room, for slope and bend are those of a moved root.
+    """
+    least = np.sqrt(value * bend)
+    return np.asarray(2 * value / np.maximum(slope - least, least + 1e-300))
+
+
+def _far_off(growth: Array, size: Array, error: Array) -> Array:
+    """Return how far ln max|μ| may be wrong, whatever the errors of |c₁|, |c₂| … are.
+
+    |c_k| is at most binomial(4, k) R^k with R the largest modulus, and R at most 2 max |c_k|^{1/k}
+    (Fujiwara), c₄ included.
+    """
+    order = np.arange(1, len(size) + 1).reshape(-1, *[1] * growth.ndim)
+    choices = np.array([4, 6, 4])[: len(size)].reshape(order.shape)
+    least = np.maximum((1 - _LOST) * size - error, 0) / choices
+    with np.errstate(divide="ignore"):
+        low = (np.log(least) / order).max(axis=0)
+        high = np.maximum((np.log(size + error) / order).max(axis=0), 0.0) + np.log(2)
+    return np.asarray(np.maximum(high - growth, growth - low))
 
 
 def _approach(y: Array, first: Array, second: Array) -> Array:
@@ -133,43 +167,52 @@ def _approach(y: Array, first: Array, second: Array) -> Array:
 
 
 def largest_modulus(
-    coefficients: Complex, error: Array | float = 0.0, nearness: bool = False
+    coefficients: Complex, determinant: Array, error: Array, nearness: bool = False
 ) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of general quartics and how far it may be wrong.
 
     Parameters
     ----------
     coefficients : (3, ...) complex
-    error : (...) float
-        Bound on the errors of the coefficients.
+        c₁, c₂, c₃.
+    determinant : (...) float
+        Product of the multipliers; broadcasts.
+    error : (3, ...) float
+        Bounds on their errors.
     nearness : bool
         Whether to fill `approach`.
 
     Returns
     -------
     growth, uncertainty : (...) float
+        The error is that of a root, Σ |δc_k| |μ|^{4−k} / |p′(μ)|.
     approach : (...) float
         Largest Re cosh ln(μ_i/μ_j) − 1 of two multipliers, as in `self_inversive_growth`; NaN if
         not asked for.
     """
-    roots = quartic_multipliers(coefficients)
+    roots, value, slope, bend = quartic_multipliers(coefficients, determinant)
     modulus = np.abs(roots)
-    index = modulus.argmax(axis=0)[None]
-    top = np.take_along_axis(roots, index, 0)[0]
-    size = np.take_along_axis(modulus, index, 0)[0]
-    _, slope, bend = slopes(top, coefficients)
-    slack = error * (1 + size + size**2) * size
-    first, second = np.abs(slope), np.abs(bend)
+    size = modulus.max(axis=0)
+    slack = value + ((error[0] * modulus + error[1]) * modulus + error[2]) * modulus
+    shift = _shift(slack, slope, bend)
+    # any root may be the largest
+    high, low = (modulus + shift).max(axis=0), (modulus - shift).max(axis=0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        shift = 2 * slack / (first + np.sqrt(first**2 + 4 * slack * second))
+        growth = np.log(size)
+        uncertainty = np.log(np.maximum(high / size, size / np.maximum(low, 0)))
+    lost = ~(high - low < _FAR * size)
+    if lost.any():
+        uncertainty[lost] = _far_off(growth[lost], np.abs(coefficients[:, lost]), error[:, lost])
     approach: Array = np.broadcast_to(np.nan, size.shape)
     if nearness:
-        pairs = [
-            ((roots[i] - roots[j]) ** 2 / (2 * roots[i] * roots[j])).real
-            for i, j in combinations(range(4), 2)
-        ]
-        approach = np.max(pairs, axis=0)
-    return np.log(size), np.asarray(shift / size), approach
+        with np.errstate(divide="ignore", invalid="ignore"):
+            pairs = [
+                ((roots[i] - roots[j]) ** 2 / (2 * roots[i] * roots[j])).real
+                for i, j in combinations(range(4), 2)
+            ]
+        # a multiplier that has decayed to 0 meets none
+        approach = np.fmax.reduce([np.where(np.isinf(pair), np.nan, pair) for pair in pairs])
+    return growth, np.asarray(uncertainty), approach
 
 
 def matrix_growth(monodromy: Complex, error: Array | float = 0.0) -> tuple[Array, Array]:

@@ -85,8 +85,11 @@ class ChartSampler:
         self.share = 1.0 if system.is_damped else 0.5
         frequencies = self.basis.frequencies
         mean = frequencies.mean()
-        # det of the monodromy is e^{jT tr R} (Liouville); its fourth root is taken out
-        self.drift = mean
+        # the multipliers' mean phase and the slowest decay of the mean system are taken out, so
+        # that no coefficient swamps the multiplier that grows; then det of the monodromy is
+        # e^{−T·excess} (Liouville)
+        self.drift = mean.real + 1j * frequencies.imag.min()
+        self.excess = float((frequencies.imag - self.drift.imag).sum())
         centred = (frequencies - mean).real
         if self.closed_form:
             sums = centred[:, None] + centred
@@ -167,20 +170,24 @@ class ChartSampler:
         one, two, least = found[:, :count], found[:, count : 2 * count], found[:, 2 * count :]
         values = _TWO[0] * one + _TWO[1] * two
         three = _THREE[0] * one[:, at] + _THREE[1] * two[:, at] + _THREE[2] * least
-        gap = np.abs(three - values[:, at]).max(axis=0)
+        gap = np.abs(three - values[:, at])
         error = _SAFETY * (gap * (max(period[0], period[-1]) / period[at, None]) ** _GROWS).max(
-            axis=0
+            axis=1
         )
-        # sums of products of four entries: in strong growth rounding shows
-        largest = np.abs(y / scale if self.system.is_damped else y).max(axis=(0, 1, 2))
-        return values, error + _ROUNDING * largest**4
+        # sums of products of so many entries: in strong growth rounding shows
+        factors = np.array([1, 2, 3] if self.system.is_damped else [4, 4, 4])[:, None]
+        largest = np.abs(y / scale if self.system.is_damped else y).max(axis=(0, 1))
+        return values, error + _ROUNDING * largest.max(axis=0) ** factors
 
     def _load_variable(self, load: ArrayLike) -> Array:
         """Return the variable in which the load is interpolated."""
         return np.square(load) if self.closed_form else np.abs(load)
 
-    def _sample(self, panel: Panel) -> tuple[NDArray[Any], float, Array]:
-        """Return Chebyshev coefficients (k, T, load) and errors: interpolation, steps by load."""
+    def _sample(self, panel: Panel) -> tuple[NDArray[Any], Array, Array]:
+        """Return Chebyshev coefficients (k, T, load) and errors: interpolation, steps by load.
+
+        The errors have a first axis for each function in closed form, else one for all of them.
+        """
         period = self.periods[panel.columns]
         if panel.period_nodes:
             period = chebyshev_nodes(panel.period_nodes, panel.low, panel.high)
@@ -195,15 +202,15 @@ class ChartSampler:
             worst = [int(period.argmax())]
             rough = self._propagators(period[worst], load, _LEVELS[1] * panel.steps)
             values, rough = (y.reshape(-1, *y.shape[2:]) for y in (values, rough))
-            step_error = self._characteristic_gap(values[:, worst[0]], rough[:, 0])
-        error = 0.0
+            step_error = self._characteristic_gap(values[:, worst[0]], rough[:, 0])[None]
         coefficients = values @ chebyshev_transform(len(load)).T
-        error += float(np.abs(coefficients[..., -1]).max())
+        error = np.abs(coefficients[..., -1]).max(axis=1)
         if panel.period_nodes:
             coefficients = chebyshev_transform(len(period)) @ coefficients
-            error += float(np.abs(coefficients[:, -2:]).sum(axis=(1, 2)).max())
+            error += np.abs(coefficients[:, -2:]).sum(axis=(1, 2))
         # rounding in sums of terms of this size
-        return coefficients, error + 1e-15 * len(load) * float(np.abs(values).max()), step_error
+        error += 1e-15 * len(load) * np.abs(values).max(axis=(1, 2))
+        return coefficients, error if self.closed_form else error.max(keepdims=True), step_error
 
     def _characteristic_gap(self, fine: Complex, rough: Complex) -> Array:
         """Return how far two sets of propagators (k, L) differ in their multipliers."""
@@ -241,17 +248,26 @@ class ChartSampler:
         return np.asarray(((along @ coefficients) * across).sum(axis=-1))
 
     def coefficient_error(self, panel: int, loads: Array, periods: Array) -> Array:
-        """Return the error of the functions at loads and periods that broadcast."""
+        """Return the errors of the functions at loads and periods that broadcast.
+
+        Returns
+        -------
+        (3, ...) float
+            Of c₁, c₂, c₃ (undamped Re c₁, Im c₁, c₂) in closed form, else (1, ...): of the
+            monodromy's entries.
+        """
         plan = self.panels[panel]
         _, error, step_error = self.data[panel]
         nodes = chebyshev_nodes(plan.load_nodes, 0.0, float(self._load_variable(self.largest_load)))
         # rising loads; a bound that never falls
-        bound = np.maximum.accumulate(step_error[::-1])
-        rows = np.interp(self._load_variable(loads), nodes[::-1], bound)
+        bound = np.maximum.accumulate(step_error[:, ::-1], axis=1)
+        variable = self._load_variable(loads)
+        rows = np.array([np.interp(variable, nodes[::-1], one) for one in bound])
+        error = error.reshape(-1, *[1] * (rows.ndim - 1))
         return np.asarray(error + rows * (periods / plan.high) ** _GROWS)
 
     def on_grid(self, loads: Array, periods: Array) -> tuple[NDArray[Any], Array]:
-        """Return the functions (k, R, C) and errors (R, C) at rising loads and all columns."""
+        """Return the functions (k, R, C) and their errors at rising loads and all columns."""
         parts = [
             self.evaluate(index, loads, periods[panel.columns])
             for index, panel in enumerate(self.panels)
@@ -271,7 +287,7 @@ class ChartSampler:
         ----------
         functions : (k, ...)
             From `on_grid`, `evaluate` or `scattered`.
-        error : (...) float
+        error : (3 or 1, ...) float
             From `on_grid` or `coefficient_error`.
         periods : (...) float
             Broadcast to the functions' shape.
@@ -287,14 +303,15 @@ class ChartSampler:
         if self.closed_form and not damped:
             growth, slack, approach = self_inversive_growth(functions, error, nearness)
         elif self.closed_form:
-            growth, slack, approach = largest_modulus(functions, error, nearness)
+            last = np.exp(-self.excess * periods)
+            growth, slack, approach = largest_modulus(functions, last, error, nearness)
             growth = growth - self.drift.imag * periods
         else:
             size = 2 * self.system.size
             matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
             if not damped:
                 matrix = solved(matrix.conj(), matrix)
-            growth, slack = matrix_growth(matrix, error)
+            growth, slack = matrix_growth(matrix, error[0])
             approach = np.broadcast_to(np.nan, growth.shape)
         return growth / periods, slack / periods, approach
 

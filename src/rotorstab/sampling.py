@@ -134,7 +134,8 @@ def plan_panels(
     rate : float
         Steps per unit period, as multiples of the extrapolation's levels.
     density : float
-        1 for the tuned numbers of nodes, less for a coarse, faster chart.
+        1 for the tuned numbers of nodes, less for a coarse, faster chart. Below 1 they fall with
+        its square root only: the error of the interpolation rises exponentially.
     tolerance : float
         Wanted interpolation error.
     even : bool
@@ -150,6 +151,7 @@ def plan_panels(
     octave = np.floor(np.log2(periods[-1] / periods) * _CUTS_PER_OCTAVE)
     cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1).tolist(), len(periods)]
     ends = {stop: float(periods[min(stop, len(periods) - 1)]) for stop in cuts}
+    density = max(density, density**0.5)
     across = {
         stop: max(3, int(np.ceil(density * load_nodes(swing * high, tolerance, even))))
         for stop, high in ends.items()

@@ -104,7 +104,8 @@ def stability_chart(
         accurate, which the error estimate then says.
     refine : bool or int
         Compute pixels whose error bound exceeds 1e-5 again by `floquet_solution`; at most so
-        many of them, those of the fastest loads first: the others keep their error.
+        many of them, those first whose verdict is in doubt, of the fastest loads first: the
+        others keep their error.
     seed : bool
         Look for tongues narrower than a pixel and mark the pixels they pass through.
 
@@ -192,7 +193,8 @@ def _refine(
 ) -> int:
     """Compute doubtful pixels again, in place; return how many."""
     i, j = np.nonzero(~(error <= _GROWTH_ERROR) | ~np.isfinite(growth))
-    first = np.argsort(j, kind="stable")[:most]  # frequencies fall
+    decided = np.abs(growth[i, j]) > error[i, j]
+    first = np.lexsort((j, decided))[:most]  # frequencies fall
     i, j = i[first], j[first]
     if i.size:
         again = floquet_solution(system, static, loads[i], frequencies[j])
