@@ -56,7 +56,8 @@ class Printer:
     def _make(self, figure: Figure, kind: str) -> Future[bytes]:
         made: Future[bytes] = Future()
         if kind in _TABLES:
-            made.set_result(_TABLES[kind](figure).encode())
+            # Excel reads UTF-8 only behind a byte order mark
+            made.set_result(_TABLES[kind](figure).encode("utf-8-sig" if kind == "csv" else "utf-8"))
             return made
 
         def hand_on(drawn: Future[dict[str, bytes]]) -> None:

@@ -1,9 +1,13 @@
 """The command line: its files, its one-line errors, its exit codes."""
 
 import csv
+import errno
 import json
+import os
 import subprocess
 import sys
+from importlib.metadata import version
+from pathlib import Path
 
 import pytest
 
@@ -179,6 +183,14 @@ def test_missing_holoviews_is_one_clear_line(monkeypatch, capsys, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_missing_matplotlib_is_one_clear_line(monkeypatch, capsys, tmp_path):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert main(["figure", "2", "--output", str(tmp_path / "a.pdf")]) == 2
+    line = "rotorstab: .pdf needs matplotlib, which is not installed: pip install 'rotorstab[app]'"
+    assert capsys.readouterr().err.startswith(line)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_the_module_runs_and_survives_a_closed_pipe():
     command = [sys.executable, "-m", "rotorstab", "whirl", "--load", "0:2:500"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
@@ -211,3 +223,120 @@ def test_overflow_is_one_line_and_no_warning(line, capsys):
     out, err = capsys.readouterr()
     assert out == ""
     assert err == "rotorstab: an argument is too large or too small to compute with\n"
+
+
+@pytest.mark.parametrize(
+    ("load", "values"),
+    [
+        (["--load", "-0.5:0.5:3"], ["-0.5", "0.0", "0.5"]),
+        (["--load", "-0.5,0.5"], ["-0.5", "0.5"]),
+        (["--load", "-.5"], ["-0.5"]),
+        (["--load", "-1e-1,-2"], ["-0.1", "-2.0"]),
+        (["--load", "−0.5,0.5"], ["-0.5", "0.5"]),
+        (["--load=-0.5,0.5"], ["-0.5", "0.5"]),
+        (["--load", " -0.5 , 0.5 "], ["-0.5", "0.5"]),
+    ],
+)
+def test_a_list_or_range_may_begin_with_a_minus_sign(load, values, tmp_path, capsys):
+    path = tmp_path / "w.csv"
+    assert main(["whirl", *load, "--output", str(path)]) == 0
+    assert list(dict.fromkeys(row["load"] for row in rows_of(path))) == values
+    assert capsys.readouterr().err == ""
+
+
+def test_a_negative_value_of_any_option_is_that_option_s(capsys):
+    assert main(["whirl", "--spin-speed", "-2", "--shear", "-0.5"]) == 2
+    assert "`shear` must be in [0, 1), got -0.5" in capsys.readouterr().err
+    assert main(["whirl", "--load", "-inf"]) == 2
+    assert "got -inf" in capsys.readouterr().err
+    assert main(["whirl", "--load", "--force"]) == 2
+    assert "argument --load: expected one argument" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--spin-speed", "--load"])
+def test_a_list_that_looks_like_a_decimal_comma_is_told(option, capsys):
+    assert main(["whirl", option, "0,5"]) == 0
+    out, err = capsys.readouterr()
+    assert err == (
+        f"rotorstab whirl: {option} 0,5 is read as 2 values, 0 and 5; "
+        "a decimal number has a point: 0.5\n"
+    )
+    assert len(out.splitlines()) == 1 + 2 * 4
+    for clear in ("0,5.5", "0,1,2", "0:5:2", "5", "0.5,1"):
+        assert main(["whirl", option, clear]) == 0
+        assert capsys.readouterr().err == ""
+
+
+def test_the_help_says_what_a_comma_means(capsys):
+    assert main(["whirl", "--help"]) == 0
+    assert "a comma parts values, a decimal number has a point" in " ".join(
+        capsys.readouterr().out.split()
+    )
+
+
+def test_the_version_is_told(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"rotorstab {version('rotorstab')}\n"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+@pytest.mark.parametrize(
+    "arguments", ["table1", "whirl --load 0:2:500", "figure 2", "--help", "--version"]
+)
+def test_output_that_cannot_be_written_is_one_line(arguments):
+    with open("/dev/full", "w") as full:
+        command = [sys.executable, "-m", "rotorstab", *arguments.split()]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.stderr == "rotorstab: the output could not be written: No space left on device\n"
+    assert done.returncode == 2
+
+
+def test_without_an_output_it_is_one_line():
+    done = subprocess.run(
+        ["sh", "-c", f"'{sys.executable}' -m rotorstab table1 >&-"],
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert done.stderr == "rotorstab: the output could not be written: it is closed\n"
+    assert done.returncode == 2
+
+
+def test_a_file_for_which_there_is_no_room_is_named(tmp_path, monkeypatch, capsys):
+    def full(handle):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    path = tmp_path / "t.csv"
+    assert main(["table1", "--output", str(path)]) == 2
+    assert capsys.readouterr().err == f"rotorstab: No space left on device: {path}\n"
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("module", "missing"),
+    [("plots", "holoviews"), ("plots", "bokeh"), ("plots_paper", "holoviews")],
+)
+def test_drawing_without_the_extra_names_the_extra(module, missing):
+    code = f"import sys; sys.modules['{missing}'] = None; import rotorstab.{module}"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stderr.splitlines()[-1] == (
+        f"ImportError: rotorstab.{module} needs {missing}, which is not installed: "
+        "pip install 'rotorstab[app]'"
+    )
+
+
+@pytest.mark.parametrize(
+    "command", ["table1", "whirl", "regions --spin-speed 1", "figure 2"], ids=str.split
+)
+def test_a_csv_for_excel_begins_with_a_byte_order_mark(command, tmp_path):
+    plain, excel, as_json = (tmp_path / name for name in ("a.csv", "b.csv", "c.json"))
+    assert main([*command.split(), "--output", str(plain)]) == 0
+    assert main([*command.split(), "--output", str(excel), "--excel"]) == 0
+    assert main([*command.split(), "--output", str(as_json), "--excel"]) == 0
+    assert excel.read_bytes() == b"\xef\xbb\xbf" + plain.read_bytes()
+    assert as_json.read_bytes().startswith(b"{")
+
+
+def test_all_tables_can_be_for_excel(tmp_path):
+    assert main(["figure", "--all", str(tmp_path), "--formats", "csv", "--excel"]) == 0
+    assert all(path.read_bytes().startswith(b"\xef\xbb\xbf#") for path in tmp_path.iterdir())

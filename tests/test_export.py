@@ -3,6 +3,9 @@
 import csv
 import json
 import os
+import re
+from dataclasses import replace
+from io import StringIO
 from itertools import groupby
 
 import numpy as np
@@ -101,3 +104,23 @@ def test_files_follow_the_umask(tmp_path):
     finally:
         os.umask(before)
     assert path.stat().st_mode & 0o777 == 0o640
+
+
+FORMULAS = ["=1+1", "+1+1", "-1+1", "@SUM(1)", "=cmd|' /C calc'!A0", "  =1+1", "\t=1", "\r=1"]
+FORMULAS += ["＝1", "\n=1", "-", "%A"]
+
+
+@pytest.mark.parametrize("text", FORMULAS)
+def test_no_text_of_a_user_is_computed_by_a_spreadsheet(text):
+    figure = FIGURES[2]()
+    panel = figure.panels[0]
+    named = [replace(one, name=f"{text}: {one.name}") for one in panel.series]
+    figure = replace(figure, panels=(replace(panel, series=tuple(named)),))
+    written = export.figure_csv(figure)
+    rows = list(csv.DictReader(StringIO(written[written.index("panel,kind") :], newline="")))
+    safe = "'" + re.sub(r"[\t\r\n]", " ", text)
+    found = {row["name"] for row in rows if row["kind"] == "line"}
+    assert found == {f"{safe}: {one.name}" for one in panel.series}
+    columns = {"a": [text], "b": [-1.5], "c": ["-1.5"], "d": ["1B+1F"]}
+    *_, last = csv.reader(StringIO(export.columns_csv("t", (), {}, columns), newline=""))
+    assert last == [safe, "-1.5", "-1.5", "1B+1F"]

@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
 import numpy as np
@@ -525,8 +526,9 @@ def test_the_policy_is_never_violated(open_page):
     )
     page.locator(".marker-keys").click()
     page.wait_for_function("rotorstab.last.inspector && Bokeh.documents[0].is_idle")
-    with page.expect_download():
+    with page.expect_download() as download:
         page.locator('select.export[data-chart="campbell"]').select_option("csv")
+    assert Path(download.value.path()).read_bytes().startswith(b"\xef\xbb\xbf# ")  # for Excel
     for key in ("stiffness", "paper", "lessons", "explore"):
         page.evaluate("key => { location.hash = key }", key)
         page.wait_for_function("key => rotorstab.last.page === key", arg=key)

@@ -8,7 +8,7 @@ import reprlib
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["LARGEST", "choice", "number", "numbers", "series", "whole_number"]
+__all__ = ["LARGEST", "choice", "extra_is_missing", "number", "numbers", "series", "whole_number"]
 
 LARGEST = 1e9
 """Largest spin speed, load and damping ratio, far past any shaft: beyond, answers are rounding."""
@@ -27,6 +27,15 @@ def _shown(value: object) -> str:
         return reprlib.repr(value)
     except ValueError:  # an integer of thousands of digits
         return "an integer too long to show"
+
+
+def extra_is_missing(module: str, error: ImportError) -> ImportError:
+    """Return the error of a module that draws, where what it draws with is not installed."""
+    package = (error.name or "a drawing library").partition(".")[0]
+    return ImportError(
+        f"{module} needs {package}, which is not installed: pip install 'rotorstab[app]'",
+        name=package,
+    )
 
 
 def numbers(

@@ -7,10 +7,13 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import fields
-from typing import NoReturn
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +40,56 @@ class _Parser(argparse.ArgumentParser):
         """Print one line and exit with 2."""
         self.exit(2, f"{self.prog}: {message}\n")
 
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print a help or version; argparse hides that it could not be written."""
+        if file is sys.stdout:
+            file.write(message)
+        else:
+            super()._print_message(message, file)
+
+
+def _version() -> str:
+    try:
+        return version("rotorstab")
+    except PackageNotFoundError:  # run from a folder of sources
+        return "of no installed version"
+
+
+class _Sweep(argparse.Action):
+    """Several values of one argument; what may be meant as a decimal comma is told."""
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: Any,
+        option: str | None = None,
+    ) -> None:
+        """Store the values of a text."""
+        try:
+            setattr(namespace, self.dest, _values(values))
+        except ValueError as error:
+            parser.error(f"argument {option}: {error}")
+        if found := re.fullmatch(r"(-?\d+),(\d+)", values):
+            one, other = found.groups()
+            line = (
+                f"{parser.prog}: {option} {values} is read as 2 values, {one} and {other}; "
+                f"a decimal number has a point: {one}.{other}"
+            )
+            print(line, file=sys.stderr)
+
+
+def _joined(argv: Sequence[str]) -> list[str]:
+    """Return arguments in which a value such as -0.5:0.5:3 is not taken for an option."""
+    joined: list[str] = []
+    for word in argv:
+        negative = re.match(r"[-−](\d|\.|inf|nan)", word)
+        if negative and joined and re.fullmatch(r"--[a-z-]+", joined[-1]):
+            joined[-1] += f"={word.replace('−', '-')}"
+        else:
+            joined.append(word)
+    return joined
+
 
 def _values(text: str) -> NDArray[np.float64]:
     """Read "1.5", "0,1,2" or "0:2:41" (from, to, how many)."""
@@ -49,14 +102,18 @@ def _values(text: str) -> NDArray[np.float64]:
             raise ValueError
         return np.linspace(float(start), float(stop), points)
     except ValueError:
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is not a number, a list such as 0,1,2 or a range such as 0:2:41 "
+        raise ValueError(
+            f"{text[:60]!r} is not a number, a list such as 0,1,2 or a range such as 0:2:41 "
             f"(from, to, 2 to {MOST_VALUES} values)"
         ) from None
 
 
 def _add_output(parser: argparse.ArgumentParser, formats: str) -> None:
     parser.add_argument("--output", metavar="FILE", help=f"write a file: {formats}")
+    if ".csv" in formats:
+        parser.add_argument(
+            "--excel", action="store_true", help="begin .csv with a byte order mark, for Excel"
+        )
     parser.add_argument("--force", action="store_true", help="overwrite existing files")
 
 
@@ -80,6 +137,7 @@ def _add_rotor(parser: argparse.ArgumentParser) -> None:
 def _parser() -> argparse.ArgumentParser:
     """Return the parser of every command."""
     parser = _Parser(prog="rotorstab", description=__doc__)
+    parser.add_argument("--version", action="version", version=f"rotorstab {_version()}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     figure = commands.add_parser("figure", help="a figure of the paper: its reading, or a file")
@@ -105,22 +163,40 @@ def _parser() -> argparse.ArgumentParser:
     _add_output(validation, ".md")
     validation.set_defaults(run=run_validation)
 
-    sweep = "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); default %(default)s"
+    sweep = (
+        "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); a comma parts values, "
+        "a decimal number has a point; default 0"
+    )
+    several: dict[str, Any] = {"action": _Sweep, "default": np.zeros(1)}
     whirl = commands.add_parser("whirl", help="whirl frequencies of an own rotor")
-    whirl.add_argument("--spin-speed", type=_values, default="0", help=sweep)
-    whirl.add_argument("--load", type=_values, default="0", help=sweep)
+    whirl.add_argument("--spin-speed", **several, help=sweep)
+    whirl.add_argument("--load", **several, help=sweep)
     _add_rotor(whirl)
     _add_output(whirl, ".csv .json")
     whirl.set_defaults(run=run_whirl)
 
     regions = commands.add_parser("regions", help="Bolotin regions of an own rotor")
-    regions.add_argument("--spin-speed", type=_values, default="0", help=f"a panel each: {sweep}")
-    regions.add_argument("--static-factor", type=_values, default="0", help="α_s, up to three")
+    regions.add_argument("--spin-speed", **several, help=f"a panel each: {sweep}")
+    regions.add_argument("--static-factor", **several, help=f"α_s, up to three: {sweep}")
     regions.add_argument("--largest-factor", type=float, default=1.0, help="β_d, top of the chart")
     _add_rotor(regions)
     _add_output(regions, ".pdf .svg .png .csv .json")
     regions.set_defaults(run=run_regions)
     return parser
+
+
+def _complain(line: str) -> int:
+    """Print one line on stderr, where there is one; return the exit code of a failure."""
+    with suppress(OSError, AttributeError):
+        print(f"rotorstab: {' '.join(line.split())}", file=sys.stderr)
+    return 2
+
+
+def _no_output(reason: str | None) -> int:
+    """Say that stdout takes nothing, and have nothing more written to it at exit."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return _complain(f"the output could not be written: {reason}")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -139,25 +215,35 @@ def main(argv: Sequence[str] | None = None) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
+    if sys.stdout is None:
+        return _no_output("it is closed")
     try:
-        arguments = _parser().parse_args(argv)
-        # a number past double precision ends here, not in a table of NaN and a warning
-        with np.errstate(over="raise", divide="raise", invalid="raise"):
-            arguments.run(arguments)
+        code = _run(sys.argv[1:] if argv is None else argv)
         sys.stdout.flush()
-    except SystemExit as stop:
-        return int(stop.code or 0)
     except BrokenPipeError:
         # the reader has seen enough; nothing more may be flushed at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except OSError as error:
+        return _no_output(error.strerror)
+    return code
+
+
+def _run(argv: Sequence[str]) -> int:
+    """Run a command; an OSError without a file's name is of stdout, and is handed on."""
+    try:
+        arguments = _parser().parse_args(_joined(argv))
+        # a number past double precision ends here, not in a table of NaN and a warning
+        with np.errstate(over="raise", divide="raise", invalid="raise"):
+            arguments.run(arguments)
+    except SystemExit as stop:
+        return int(stop.code or 0)
     except FloatingPointError:
-        print("rotorstab: an argument is too large or too small to compute with", file=sys.stderr)
-        return 2
-    except (ValueError, OSError) as error:
-        text = str(error)
-        if isinstance(error, OSError) and error.strerror:
-            text = f"{error.strerror}: {error.filename}"
-        line = " ".join(text.split())
-        print(f"rotorstab: {line}", file=sys.stderr)
-        return 2
+        return _complain("an argument is too large or too small to compute with")
+    except ValueError as error:
+        return _complain(str(error))
+    except OSError as error:
+        if error.filename is None:
+            raise
+        return _complain(f"{error.strerror}: {error.filename}")
     return 0

@@ -65,12 +65,14 @@ def _figure_data(figure: Figure, suffixes: Sequence[str]) -> dict[str, bytes | s
     if drawn:
         try:
             from .plots_paper import figure_files
+
+            files = figure_files(figure, drawn)
         except ImportError as error:
             raise ValueError(
-                f".{drawn[0]} needs {error.name or 'holoviews'}, which is not installed: "
+                f".{drawn[0]} needs {error.name}, which is not installed: "
                 "pip install 'rotorstab[app]', or write .csv or .json"
             ) from None
-        data |= {f".{name}": content for name, content in figure_files(figure, drawn).items()}
+        data |= {f".{name}": content for name, content in files.items()}
     if ".csv" in suffixes:
         data[".csv"] = export.figure_csv(figure)
     if ".json" in suffixes:
@@ -127,7 +129,14 @@ def _emit(
     path = Path(arguments.output)
     if path.exists() and not arguments.force:
         raise ValueError(f"{path} exists; --force overwrites it")
-    export.write_file(path, data(suffix), arguments.force)
+    export.write_file(path, _marked(data(suffix), suffix, arguments), arguments.force)
+
+
+def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> bytes | str:
+    """Begin a CSV with a byte order mark where `--excel` asks for it: Excel then reads UTF-8."""
+    if suffix == ".csv" and isinstance(data, str) and arguments.excel:
+        return "\ufeff" + data
+    return data
 
 
 def _figure(number: int, floquet: bool) -> Figure:
@@ -173,10 +182,11 @@ def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Name
     for n in FIGURES:
         figure = _figure(n, arguments.floquet)
         for suffix, content in _figure_data(figure, [f".{one}" for one in formats]).items():
+            content = _marked(content, suffix, arguments)
             export.write_file(directory / f"figure_{n}{suffix}", content, force)
     for one in table:
         data = export.table_csv(table_1()) if one == "csv" else export.table_json(table_1())
-        export.write_file(directory / f"table_1.{one}", data, force)
+        export.write_file(directory / f"table_1.{one}", _marked(data, f".{one}", arguments), force)
     sys.stdout.write(f"{len(names)} files in {directory}\n")
 
 

@@ -31,6 +31,10 @@ __all__ = [
 ]
 
 
+# what a formula or a command of a spreadsheet begins with, at full width too
+_COMPUTED = frozenset("=+-@|%＝＋－＠")
+
+
 def write_file(path: str | Path, data: bytes | str, overwrite: bool = False) -> Path:
     """Write a whole file or none.
 
@@ -72,8 +76,10 @@ def write_file(path: str | Path, data: bytes | str, overwrite: bool = False) -> 
         os.umask(mask)
         Path(temporary).chmod(0o666 & ~mask)
         os.replace(temporary, target)
-    except BaseException:
+    except BaseException as error:
         Path(temporary).unlink(missing_ok=True)
+        if isinstance(error, OSError):
+            raise OSError(error.errno, error.strerror, str(target)) from None
         raise
     return target
 
@@ -93,10 +99,24 @@ def _plain(value: Any) -> str:
 
 
 def _cell(value: Any) -> Any:
-    """Write a number so that it reads back exactly; NaN is an empty cell."""
+    """Write a number so that it reads back exactly; NaN is an empty cell.
+
+    A text that a spreadsheet would compute, such as a pin's name that begins with "=", is quoted.
+    """
     if isinstance(value, float | np.floating):
         return "" if math.isnan(value) else repr(float(value))
+    if isinstance(value, str):
+        line = "".join(letter if letter.isprintable() else " " for letter in value)
+        return f"'{line}" if line.lstrip()[:1] in _COMPUTED and not _is_number(line) else line
     return value
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _csv_rows(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:

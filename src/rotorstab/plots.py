@@ -9,10 +9,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import holoviews as hv
 import numpy as np
-from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
-from bokeh.palettes import Plasma256
+
+from .checks import extra_is_missing
+
+try:
+    import holoviews as hv
+    from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
+    from bokeh.palettes import Plasma256
+except ImportError as error:
+    raise extra_is_missing(__name__, error) from error
 
 from .charts import ROLES, Chart, Layer, axis_symbol
 

@@ -10,11 +10,16 @@ from collections.abc import Callable, Sequence
 from io import BytesIO
 from typing import Any, Literal
 
-import holoviews as hv
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import choice
+from .checks import choice, extra_is_missing
+
+try:
+    import holoviews as hv
+except ImportError as error:
+    raise extra_is_missing(__name__, error) from error
+
 from .figures import Figure, Panel, Region, Series
 
 __all__ = ["PRINT_FORMATS", "figure_files", "paper_layout"]
@@ -303,8 +308,11 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
     """
     for one in formats:
         choice("file format", one, PRINT_FORMATS)
-    import matplotlib
-    from matplotlib import pyplot
+    try:
+        import matplotlib
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise extra_is_missing(__name__, error) from error
 
     heading = f"Figure {figure.number}. {figure.title}" if figure.number else figure.title
     metadata: dict[str, dict[str, Any]] = {
