@@ -16,6 +16,7 @@ import numpy as np
 
 from rotorstab import (
     ResonanceTable,
+    System,
     bolotin_chart,
     critical_speeds,
     resonances,
@@ -30,7 +31,14 @@ from rotorstab.charts import (
 from rotorstab.stability import StabilityChart
 from rotorstab.window import Model, Window
 
-from .curves import campbell, flutter, load_curves, rotor_numbers, whirl_numbers
+from .curves import (
+    campbell,
+    flutter,
+    load_curves,
+    reference_load,
+    rotor_numbers,
+    whirl_numbers,
+)
 from .growth import Detail, known_map
 from .state import State
 
@@ -46,6 +54,7 @@ __all__ = [
 
 CHARTS = ("instability", "load-frequency", "campbell")
 BOUNDARY_ROWS = 120
+TABLE_FACTOR = 0.1  # β_d at which the resonance table and its widths are told
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +77,8 @@ class FloquetAnswer:
         False for a coarse map, on which thin tongues have no true area.
     followed_from : float
         θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
+    ends_at : float
+        β_d above which the map is blank, since the exact law ends; inf where it does not.
     """
 
     table: ResonanceTable
@@ -80,6 +91,7 @@ class FloquetAnswer:
     unstable_from: float = math.inf
     settled: bool = True
     followed_from: float = 0.0
+    ends_at: float = math.inf
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,26 +129,38 @@ def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[
     } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
 
 
-def _reference(inputs: Mapping[str, Any]) -> float:
-    """Return the load that the load factors refer to."""
-    buckling, _, flutter_at_rest = rotor_numbers(inputs["model"].rotor)
-    reference = buckling if inputs["reference"] == "buckling" else flutter_at_rest
-    if not np.isfinite(reference):
+def _loads(inputs: Mapping[str, Any], system: System) -> tuple[float, float]:
+    """Return the load that the load factors refer to, and the static load.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where the rotor has no such load or the exact law ends below it.
+    """
+    reference = reference_load(inputs["model"].rotor, inputs["reference"])
+    static = inputs["static_load_factor"] * reference
+    peak = static + TABLE_FACTOR * reference
+    if peak >= system.largest_load:
         raise ValueError(
-            "this rotor has no flutter load: let the load factors refer to static buckling"
+            f"With the exact stiffness law the load must stay below p̄ = {system.largest_load:.4g}, "
+            f"where a shaft clamped at both ends buckles. Here p̄₀ = {static:.4g}, and with "
+            f"β_d = {TABLE_FACTOR:g} the load reaches {peak:.4g}: choose a smaller static load "
+            "factor α_s."
         )
-    return reference
+    return reference, static
 
 
 def _window(inputs: Mapping[str, Any]) -> Window:
     """Return what the growth map depends on."""
-    frequency = rotor_numbers(inputs["model"].rotor)[1]
-    reference = _reference(inputs)
+    model: Model = inputs["model"]
+    spin, tangency = inputs["spin_speed"], inputs["tangency"]
+    frequency = rotor_numbers(model.rotor)[1]
+    reference, static = _loads(inputs, model.system(spin, tangency))
     return Window(
-        inputs["model"],
-        inputs["spin_speed"],
-        inputs["tangency"],
-        inputs["static_load_factor"] * reference,
+        model,
+        spin,
+        tangency,
+        static,
         inputs["lowest_frequency"] * frequency,
         inputs["highest_frequency"] * frequency,
         inputs["largest_factor"] * reference,
@@ -149,12 +173,12 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
     model: Model = inputs["model"]
     rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
     buckling, frequency, _ = rotor_numbers(rotor)
-    reference = _reference(inputs)
-    static = inputs["static_load_factor"] * reference
     top = inputs["largest_factor"]
     frequency_range = (inputs["lowest_frequency"], inputs["highest_frequency"])
     system = model.system(spin, tangency)
+    reference, static = _loads(inputs, system)
     plain = model.undamped().system(spin, tangency)
+    ends_at = (system.largest_load - static) / reference
     flutter_now = flutter(rotor, spin)
     made = known_map(_window(inputs), settled)
     growth, mask = made.growth, made.mask
@@ -165,13 +189,13 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
         inputs["growth_unit"] == "per period",
         made.outlines,
     )
-    table = resonances(system, static, 0.1 * reference)
+    table = resonances(system, static, TABLE_FACTOR * reference)
     curves = load_curves(model, spin, tangency, inputs["stiffness"])
     # the flutter load is that of the linear law, whatever the curves are of
     has_exact = any(name.endswith(" exact") for name in curves)
     charts = (
         instability_chart(
-            bolotin_chart(plain, static, top * reference, BOUNDARY_ROWS),
+            bolotin_chart(plain, static, min(top, ends_at) * reference, BOUNDARY_ROWS),
             frequency,
             reference,
             frequency_range,
@@ -205,6 +229,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             **_shares(growth, mask, reference),
             settled=bool(settled),
             followed_from=_followed_from(growth, frequency),
+            ends_at=ends_at if ends_at < top else math.inf,
         ),
     )
 

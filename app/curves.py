@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -31,6 +32,7 @@ __all__ = [
     "flutter",
     "load_curves",
     "load_kinds",
+    "reference_load",
     "rotor_numbers",
     "whirl_numbers",
 ]
@@ -43,15 +45,38 @@ LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 @lru_cache(maxsize=256)
 def rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
     """Return p̄_cr, ω_n and the follower flutter load, all of the resting rotor."""
-    at_rest = lumped(rotor, 0.0, 1.0)
     buckling = float(critical_load(rotor.shear))
-    return buckling, fundamental_frequency(at_rest), flutter_load(at_rest)
+    return buckling, fundamental_frequency(lumped(rotor, 0.0)), flutter(rotor, 0.0)
+
+
+def reference_load(rotor: ShaftDisk, reference: str) -> float:
+    """Return the load [EI/L²] that load factors refer to, "buckling" or "flutter".
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where the rotor has no flutter load.
+    """
+    buckling, _, flutter_at_rest = rotor_numbers(rotor)
+    if reference == "buckling":
+        return buckling
+    if not math.isfinite(flutter_at_rest):
+        pole = float(largest_exact_load(rotor.shear))
+        raise ValueError(
+            f"This rotor has no flutter load below p̄ = {pole:.4g}, where a shaft clamped at both "
+            "ends buckles and this model ends: let the load factors refer to static buckling."
+        )
+    return flutter_at_rest
 
 
 @lru_cache(maxsize=256)
 def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
-    """Return the follower flutter load [EI/L²] at a spin speed, lumped and linear; inf if none."""
-    return flutter_load(lumped(rotor, spin_speed, 1.0))
+    """Return the follower flutter load [EI/L²] at a spin speed, lumped and linear.
+
+    It is inf where there is none below the pole of the exact stiffness: there the shaft itself
+    buckles, which the linear law does not know.
+    """
+    return flutter_load(lumped(rotor, spin_speed, 1.0), float(largest_exact_load(rotor.shear)))
 
 
 def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:

@@ -263,6 +263,13 @@ def inspect(state: State, result: Result) -> Inspection:
         seed=round(state.seed),
         periods=round(state.periods),
     )
+    limit = model.system(point.spin_speed, point.tangency).largest_load
+    if (peak := point.static + point.pulsating) >= limit:
+        raise ValueError(
+            f"Here the load reaches p̄ = {peak:.4g}. With the exact stiffness law it must stay "
+            f"below {limit:.4g}, where a shaft clamped at both ends buckles: move the marker to a "
+            "lower β_d."
+        )
     motion, floquet, samples, charts = _respond(
         model,
         point.spin_speed,

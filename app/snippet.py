@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+
+from rotorstab.stiffness import largest_exact_load
 from rotorstab.window import ELEMENTS, MODES, PIXELS, map_options
 
 from .analysis import BOUNDARY_ROWS, Result, model_of, solve
@@ -139,7 +142,9 @@ def python_snippet(state: State) -> str:
         names.add("finite_element")
     reference = "float(critical_load(rotor.shear))"
     if state.reference == "flutter":
-        reference = "flutter_load(lumped(rotor, 0.0, tangency=1.0))"
+        # up to the pole of the exact stiffness, as on the page
+        pole = float(largest_exact_load(state.shear))
+        reference = f"flutter_load(lumped(rotor, 0.0, tangency=1.0), {pole!r})"
         names.add("flutter_load")
         if not in_si:
             names.discard("critical_load")
@@ -155,6 +160,9 @@ def python_snippet(state: State) -> str:
     words = "The rotor in SI; what is computed is" if in_si else "It is"
     linear = "undamped" if damped else "system"
     last = _PRINTS_SI if in_si else _PRINTS
+    largest = "largest_load"
+    if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
+        largest = f"min({largest}, system.largest_load - static_load)"
     return f"""\
 # What rotorstab shows, as Python. {words} non-dimensional: L = EI = ρA = 1.
 import numpy as np
@@ -177,7 +185,7 @@ critical = critical_speeds(system, static_load)
 
 # Bolotin's boundaries: bolotin.frequency / frequency over bolotin.pulsating_load / reference_load
 largest_load = {state.largest_factor!r} * reference_load
-bolotin = bolotin_chart({linear}, static_load, largest_load, {BOUNDARY_ROWS})
+bolotin = bolotin_chart({linear}, static_load, {largest}, {BOUNDARY_ROWS})
 
 # Floquet's growth rates on the chart's pixels, and the true tongues at a load factor of 0.1
 low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency

@@ -111,19 +111,30 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     return text + "."
 
 
-def _is_part(answer: FloquetAnswer) -> bool:
-    """Whether more than a sliver of the window is blank."""
+def _is_slow(answer: FloquetAnswer) -> bool:
+    """Whether the slowest loads of the window, more than a sliver, are blank."""
     low, high = answer.frequency_range
     return answer.followed_from > low + 0.02 * (high - low)
+
+
+def _is_part(answer: FloquetAnswer) -> bool:
+    """Whether more than a sliver of the window is blank."""
+    return _is_slow(answer) or math.isfinite(answer.ends_at)
 
 
 def _blank(answer: FloquetAnswer) -> str:
     """Say which part of the window is blank, where that is more than a sliver."""
     start = answer.followed_from
-    if not _is_part(answer):
-        return ""
+    words = ""
+    if math.isfinite(answer.ends_at):
+        words = (
+            f" Above β_d = {answer.ends_at:.3g} the map is blank: a shaft clamped at both ends "
+            "buckles under such a load, and the exact stiffness law ends there."
+        )
+    if not _is_slow(answer):
+        return words
     where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
-    return (
+    return words + (
         f" {where} the map is blank: the shaft whirls too often in one period of so slow a load "
         "to be followed in time."
     )

@@ -24,6 +24,13 @@ STATES = {
         "reference": "flutter",
         "static_load_factor": 0.3,
     },
+    "exact, past the pole": {
+        "law": "exact",
+        "reference": "flutter",
+        "shear": 0.05,
+        "largest_factor": 2.0,
+        "highest_frequency": 4.0,
+    },
     "damped": {"external_damping": 0.02, "internal_damping": 0.01},
     "finite elements": {"model": "finite elements", "largest_factor": 0.3},
     "SI": {"units": "SI", **TABLE_1},

@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from rotorstab import flutter_load, in_bolotin_region, lumped
+from rotorstab import in_bolotin_region
 
+from ..curves import flutter
 from ..state import State
 from .situation import Situation
 
@@ -103,7 +104,7 @@ QUANTITIES = (
         "flutter",
         "flutter load p̄_f",
         "load at which the rotor flutters under a follower load, at its spin speed, lumped model",
-        lambda at: flutter_load(lumped(at.rotor, at.spin, 1.0)),
+        lambda at: flutter(at.rotor, at.spin),
     ),
     Quantity("static_load", "steady load p̄_0", "the steady load p̄₀", lambda at: at.static),
     Quantity(

@@ -17,7 +17,6 @@ from rotorstab import (
     bolotin_chart,
     critical_load,
     critical_speeds,
-    flutter_load,
     fundamental_frequency,
     lumped,
     resonances,
@@ -27,6 +26,7 @@ from rotorstab.floquet import FloquetSolution, floquet_solution
 from rotorstab.whirl import mode_names, named_frequencies
 
 from ..analysis import Model
+from ..curves import reference_load
 from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]
@@ -74,7 +74,7 @@ class Situation:
     @cached_property
     def reference(self) -> float:
         """The load that the factors α_s and β_d are shares of."""
-        return self.buckling if self._reference == "buckling" else flutter_load(self.at_rest)
+        return reference_load(self.rotor, self._reference)
 
     @cached_property
     def static(self) -> float:

@@ -11,7 +11,6 @@ from .checks import number, numbers
 from .floquet import floquet_solution
 from .hidden import hidden_by_table, hidden_on_panel
 from .sampler import ChartSampler
-from .stiffness import largest_exact_load
 from .system import System
 
 __all__ = ["StabilityChart", "stability_chart", "stability_map"]
@@ -33,7 +32,7 @@ class StabilityChart:
     excitation_frequencies : (C,) float
         θ̄ of the columns [√(EI/(ρAL⁴))].
     growth : (R, C) float
-        σ at the pixel's centre; NaN in rows past the pole of the exact stiffness.
+        σ at the pixel's centre; NaN in rows whose load passes `System.largest_load`.
     error : (R, C) float
         Bound on its error from the method's own estimates: the tolerance of the verdict.
     peak_growth : (R, C) float
@@ -54,11 +53,6 @@ class StabilityChart:
     unstable: NDArray[np.bool_]
     refined: int
     seeded: int
-
-
-def _pole(system: System) -> float:
-    """Return the load at which the stiffness has a pole, inf for the linear law."""
-    return np.inf if system.exact_shear is None else float(largest_exact_load(system.exact_shear))
 
 
 def _checked(
@@ -146,7 +140,7 @@ def stability_chart(
     refined = 0
     order = np.argsort(-frequencies, kind="stable")
     magnitude = np.abs(given_loads)
-    valid = np.flatnonzero(static + magnitude < _pole(system))
+    valid = np.flatnonzero(static + magnitude < system.largest_load)
     rows = valid[np.argsort(magnitude[valid], kind="stable")]
     if rows.size:
         loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]

@@ -15,6 +15,7 @@ from .checks import numbers
 
 __all__ = [
     "DIGITS",
+    "NEAR_POLE",
     "exact_harmonics",
     "exact_stiffness",
     "harmonic_rate",
@@ -31,6 +32,7 @@ Array = NDArray[np.float64]
 _POLES = 4 * np.pi**2, 4 * 4.493409457909064**2
 """The two lowest poles of the exact coefficients in x: k = 2π, and tan(k/2) = k/2."""
 DIGITS = 37.0  # −ln of rounding
+NEAR_POLE = 1e-3  # relative distance of the pole that charts keep: nearer, their steps have no end
 _SAMPLES_TOGETHER = 1 << 15  # evaluations of K at a time, which take some 10 MB
 
 _SERIES_BELOW = 2.0  # closed forms lose digits for smaller |x|

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,8 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import LARGEST, choice, number, numbers
 from .rotor import ShaftDisk
 from .stiffness import (
+    NEAR_POLE,
     exact_harmonics,
     exact_stiffness,
+    largest_exact_load,
     linear_stiffness,
     pole_harmonics,
     refuse_peaks,
@@ -88,6 +91,13 @@ class System:
     def is_linear(self) -> bool:
         """Whether the stiffness is linear in the load."""
         return self.exact_shear is None
+
+    @property
+    def largest_load(self) -> float:
+        """Load [EI/L²] up to which charts go: 0.1 % below the exact stiffness's pole, else inf."""
+        if self.exact_shear is None:
+            return math.inf
+        return float(largest_exact_load(self.exact_shear)) * (1 - NEAR_POLE)
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
         """Return the same rotor at another spin speed Ω̄ (...)."""

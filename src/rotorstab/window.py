@@ -110,7 +110,8 @@ class Window:
 class FloquetMap:
     """The growth map of a window, Bolotin's mask on its pixels, and the tongues' edges if known.
 
-    The map is NaN in columns whose load is too slow to be followed (`followed`).
+    The map is NaN in columns whose load is too slow to be followed (`followed`), and in rows whose
+    load passes `System.largest_load`.
     """
 
     growth: StabilityChart
@@ -192,7 +193,9 @@ def floquet_map(window: Window, settled: bool, refined: bool = False) -> Floquet
     frequencies = window.low + (np.arange(columns) + 0.5) / columns * span
     growth = _growth(window, loads, frequencies, settled, refined)
     plain = model.undamped().system(window.spin_speed, window.tangency)
-    mask = bolotin_mask(plain, window.static_load, loads, frequencies)
+    mask = np.zeros((rows, columns), dtype=np.bool_)
+    inside = window.static_load + loads < plain.largest_load
+    mask[inside] = bolotin_mask(plain, window.static_load, loads[inside], frequencies)
     return FloquetMap(growth, mask)
 
 

@@ -57,6 +57,12 @@ def own_regions(
     if system.is_damped:
         raise ValueError("`system` must be undamped for Bolotin regions, got a damped one")
     reference = float(critical_load(shear))
+    room, peak = system.largest_load / reference, max(static_factors) + largest_factor
+    if not peak < room:
+        raise ValueError(
+            f"`static_factors` + `largest_factor` must be below {room:g}, where the exact "
+            f"stiffness has its pole, got {peak:g}"
+        )
     frequency = fundamental_frequency(system)
     panels = []
     for letter, spin in zip(ascii_lowercase, spin_speeds, strict=False):
