@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import logging
 from asyncio import Future
-from functools import partial, wraps
+from functools import cache, partial, wraps
 from importlib import import_module
 from typing import Any
 
@@ -43,10 +43,17 @@ def _write_and_look(self: WebSocketHandler, *args: Any, **kwargs: Any) -> Future
     return future
 
 
+@cache
+def _tell(words: str) -> None:
+    _LOG.warning(words)
+
+
 def install() -> None:
     """Look at every write of this process; calling it again changes nothing."""
-    import_module("bokeh.protocol.messages.patch_doc").Serializer = partial(  # type: ignore[attr-defined]
-        Serializer, deferred=False
-    )
+    patches = import_module("bokeh.protocol.messages.patch_doc")
+    if hasattr(patches, "Serializer"):
+        patches.Serializer = partial(Serializer, deferred=False)
+    else:
+        _tell("this Bokeh sends arrays apart from their messages: pages will be slower")
     settings.compression_level = 0  # the network of a lab is faster than gzip
     WebSocketHandler.write_message = _write_and_look

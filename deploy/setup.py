@@ -1,43 +1,35 @@
 """Harden `panel serve`: pass this file as `--setup deploy/setup.py`. See `deploy/server`."""
 
 import sys
+from importlib import import_module
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from deploy.server import (
-    addresses,
-    dashboard,
-    faults,
-    headers,
-    health,
-    hosts,
-    lifecycle,
-    limits,
-    logs,
-    messages,
-    metrics,
-    sessions,
-    settings,
-)
+from deploy.server import patching, settings
 
 try:
     found = settings.read()
 except settings.SettingError as problem:
     settings.stop(problem)
 # logs first, the slow things last
-for part in (
-    logs,
-    faults,
-    headers,
-    hosts,
-    addresses,
-    limits,
-    messages,
-    sessions,
-    health,
-    metrics,
-    lifecycle,
-    dashboard,
-):
-    part.install(found)
+PARTS = (
+    "logs",
+    "faults",
+    "threads",
+    "headers",
+    "hosts",
+    "addresses",
+    "limits",
+    "messages",
+    "sessions",
+    "health",
+    "metrics",
+    "lifecycle",
+)
+try:
+    for name in PARTS:
+        import_module(f"deploy.server.{name}").install(found)
+except (ImportError, AttributeError) as problem:
+    settings.stop(patching.explain(problem))
+import_module("deploy.server.dashboard").install(found)

@@ -9,6 +9,8 @@ from bokeh.server.views.metadata_handler import MetadataHandler
 from panel.io.server import AutoloadJsHandler, ComponentResourceHandler, DocHandler, RootHandler
 from tornado.web import HTTPError
 
+from .patching import replace
+
 LONGEST_VALUE = 300
 
 panel_parse_query = panel_location.parse_query
@@ -54,11 +56,11 @@ def location_params(protocol, host, uri):
 def install(settings):
     """Shut and mend the addresses of this process's server."""
     # /components/<module>/... imports the module it names.
-    ComponentResourceHandler.prepare = not_found
+    replace(ComponentResourceHandler, "prepare", not_found)
     # autoload.js makes a session for any other site; nothing embeds this dashboard.
-    AutoloadJsHandler.prepare = not_found
-    MetadataHandler.prepare = not_found  # nothing asks for it
-    DocHandler.head = head_page
-    RootHandler.head = RootHandler.get  # a redirect
-    panel_location.parse_query = parse_query
-    panel_location._get_location_params = location_params
+    replace(AutoloadJsHandler, "prepare", not_found)
+    replace(MetadataHandler, "prepare", not_found)  # nothing asks for it
+    replace(DocHandler, "head", head_page)
+    replace(RootHandler, "head", RootHandler.get)  # a redirect
+    replace(panel_location, "parse_query", parse_query)
+    replace(panel_location, "_get_location_params", location_params)

@@ -6,6 +6,7 @@ from types import ModuleType
 
 from bokeh.settings import settings as bokeh_settings
 
+from .patching import replace
 from .settings import Settings
 
 
@@ -19,7 +20,7 @@ def module(name: str) -> ModuleType | None:
 def install(settings: Settings):
     """Do the slow first things before anybody waits for them, and the needless ones never."""
     # of a document's references, with every page that opens; the tests look at the page itself
-    bokeh_settings.perform_document_validation = False
+    replace(bokeh_settings, "perform_document_validation", False)
     lessons, session = module("lessons"), module("session")
     if lessons:
         lessons.library()  # a broken lesson is reported now, not when the first student comes

@@ -5,6 +5,8 @@ import logging
 
 from tornado.platform.asyncio import BaseAsyncIOLoop
 
+from .patching import replace
+
 log = logging.getLogger("rotorstab.faults")
 
 loop_start = BaseAsyncIOLoop.start
@@ -34,4 +36,4 @@ def start(self):
 
 def install(settings):
     """Keep this process's server alive until it is told to stop."""
-    BaseAsyncIOLoop.start = start
+    replace(BaseAsyncIOLoop, "start", start)

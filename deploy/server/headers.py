@@ -7,6 +7,7 @@ from tornado.web import RequestHandler
 
 from .constants import HEADERS
 from .pages import error_page, retry_seconds
+from .patching import replace
 from .sessions import draining
 
 tornado_clear = RequestHandler.clear
@@ -41,6 +42,6 @@ def error_reply(self, message, text):
 
 def install(settings):
     """Give every reply of this process its headers and plain errors."""
-    RequestHandler.clear = clear
-    RequestHandler.write_error = write_error
-    ServerConnection.error = error_reply
+    replace(RequestHandler, "clear", clear)
+    replace(RequestHandler, "write_error", write_error)
+    replace(ServerConnection, "error", error_reply)

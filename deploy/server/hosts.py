@@ -14,6 +14,7 @@ from tornado.escape import parse_qs_bytes
 from tornado.web import Application, RequestHandler
 
 from .constants import LONGEST_ADDRESS, PAGE_FILES
+from .patching import replace
 from .settings import LOOPBACK
 
 log = logging.getLogger("rotorstab.hosts")
@@ -115,5 +116,5 @@ def allowlist_with_numbers(hosts, port):
 
 def install(settings):
     """Check every request of this process's server."""
-    bokeh_server.create_hosts_allowlist = allowlist_with_numbers
-    Application.find_handler = find_known
+    replace(bokeh_server, "create_hosts_allowlist", allowlist_with_numbers)
+    replace(Application, "find_handler", find_known)

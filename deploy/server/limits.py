@@ -11,6 +11,8 @@ import time
 import bokeh.server.server as bokeh_server
 from bokeh.server.views.ws import WSHandler
 
+from .patching import replace
+
 log = logging.getLogger("rotorstab.limits")
 
 RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
@@ -117,13 +119,15 @@ def close_once(self):
 
 def install(settings):
     """Bound what a client may send to this process's server."""
-    WSHandler.on_message = paced
-    WSHandler.on_close = close_once
+    replace(WSHandler, "on_message", paced)
+    replace(WSHandler, "on_close", close_once)
     # Bokeh pings and never looks for the answer; Tornado does
-    WSHandler.ping_interval = WSHandler.ping_timeout = settings.keep_alive
-    bokeh_server.HTTPServer = functools.partial(
+    for name in ("ping_interval", "ping_timeout"):
+        replace(WSHandler, name, settings.keep_alive)
+    server = functools.partial(
         http_server,
         max_header_size=LARGEST_HEADER,
         max_body_size=LARGEST_BODY,
         idle_connection_timeout=IDLE_PINGS * settings.keep_alive,
     )
+    replace(bokeh_server, "HTTPServer", server)

@@ -19,6 +19,7 @@ from panel.models.esm import ReactiveESM
 
 from .faults import EndedItself, contain
 from .limits import count_refused
+from .patching import replace
 
 log = logging.getLogger("rotorstab.messages")
 
@@ -222,8 +223,8 @@ async def receive_quietly(self, fragment):
 
 def install(settings):
     """Refuse foreign messages to this process's server."""
-    Protocol.assemble = assemble_checked
-    ProtocolHandler.handle = handle_allowed
-    WSHandler._receive = receive_quietly
-    WSHandler._protocol_error = close_broken
-    WSHandler._internal_error = close_failed
+    replace(Protocol, "assemble", assemble_checked)
+    replace(ProtocolHandler, "handle", handle_allowed)
+    replace(WSHandler, "_receive", receive_quietly)
+    replace(WSHandler, "_protocol_error", close_broken)
+    replace(WSHandler, "_internal_error", close_failed)

@@ -16,6 +16,7 @@ from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily
 from tornado.web import HTTPError, RequestHandler
 
 from . import dashboard, health, sessions
+from .patching import replace
 from .settings import Settings
 
 CACHED = ("analysis", "curves", "comparisons", "growth", "inspector", "lessons.quantities")
@@ -103,7 +104,7 @@ def install(settings: Settings):
         with OPENINGS.time():
             return await create(self, session_id, *args, **kwargs)
 
-    ApplicationContext.create_session_if_needed = timed
+    replace(ApplicationContext, "create_session_if_needed", timed)
     telemetry = dashboard.module("telemetry")
     if telemetry:
         telemetry.observers.append(_observe)

@@ -1,5 +1,6 @@
 """Sessions and sockets: counted, and refused before anything is built for them."""
 
+import asyncio
 import functools
 import threading
 
@@ -10,6 +11,7 @@ from panel.io.server import DocHandler, WSHandler
 from tornado.web import HTTPError
 
 from .faults import contain
+from .patching import replace
 from .settings import Settings
 
 open_sockets = set()
@@ -72,9 +74,11 @@ async def create_session(self, session_id, *args, **kwargs):
     try:
         return await contain(create_session_if_needed(self, session_id, *args, **kwargs))
     except BaseException:
-        pending = self._pending_sessions.pop(session_id, None)
-        if pending is not None:
-            pending.cancel()
+        # from Bokeh 3.10 on it is a task, which frees its place by itself and others may wait for
+        if not isinstance(self._pending_sessions.get(session_id), asyncio.Task):
+            pending = self._pending_sessions.pop(session_id, None)
+            if pending is not None:
+                pending.cancel()
         raise
 
 
@@ -134,9 +138,9 @@ def install(settings: Settings):
     """Count and limit the sessions and sockets of this process's server."""
     global most_sessions
     most_sessions = settings.max_sessions
-    DocHandler.get_session = session_or_error
-    ApplicationContext.create_session_if_needed = create_session
-    DocHandler.prepare = prepare_page
-    WSHandler.prepare = prepare_socket
-    WSHandler.on_connection_close = socket_gone
-    WSHandler.on_finish = socket_refused
+    replace(DocHandler, "get_session", session_or_error)
+    replace(ApplicationContext, "create_session_if_needed", create_session)
+    replace(DocHandler, "prepare", prepare_page)
+    replace(WSHandler, "prepare", prepare_socket)
+    replace(WSHandler, "on_connection_close", socket_gone)
+    replace(WSHandler, "on_finish", socket_refused)
