@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache, lru_cache
+from functools import lru_cache
 
-from rotorstab import critical_load
+from rotorstab import critical_load, figures
 from rotorstab.charts import Chart, error_loads, stiffness_charts
-from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure
+from rotorstab.figures import FLOQUET_FIGURES, Figure
 
-__all__ = ["error_table", "paper_figure", "stiffness_comparison"]
+__all__ = [
+    "error_table",
+    "figure_known",
+    "keep_figure",
+    "paper_figure",
+    "stiffness_comparison",
+]
 
 
 @lru_cache(maxsize=128)
@@ -28,8 +34,21 @@ def error_table(shear: float, tangency: float) -> list[list[float]]:
     return [[*map(float, one[i, i]), *map(float, five[i, i])] for i in (0, 1)]
 
 
-@cache
+_figures: dict[tuple[int, bool], Figure] = {}
+
+
+def figure_known(number: int, floquet: bool = False) -> bool:
+    """Whether a figure of the paper is there, or takes no time worth a process."""
+    return (number, floquet) in _figures or not (floquet and number in FLOQUET_FIGURES)
+
+
+def keep_figure(number: int, floquet: bool, figure: Figure) -> None:
+    """Keep a figure of the paper, also one that another process has made."""
+    _figures[number, floquet] = figure
+
+
 def paper_figure(number: int, floquet: bool = False) -> Figure:
     """Return a figure of the paper by its number, with Floquet's answer where it has one."""
-    with_floquet = floquet and number in FLOQUET_FIGURES
-    return FIGURES[number](floquet=True) if with_floquet else FIGURES[number]()
+    if (number, floquet) not in _figures:
+        keep_figure(number, floquet, figures.paper_figure(number, floquet))
+    return _figures[number, floquet]

@@ -19,6 +19,7 @@ from panel.io.state import set_curdoc
 
 from .state import PRESETS, SI_INPUTS, SYMBOLS, State
 from .telemetry import observe
+from .threads import turn
 
 __all__ = ["Controls", "field"]
 
@@ -117,9 +118,9 @@ class Controls(pn.custom.JSComponent):
         """Answer one message; anything that is not one is ignored."""
         if not isinstance(data, Mapping):
             return
-        began = perf_counter()
         sequence = data.get("seq")
-        with pn.io.hold():  # patches and answer leave as one message
+        with turn, pn.io.hold():  # patches and answer leave as one message
+            began = perf_counter()
             answer = self._respond(data)
             self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
         observe("update", perf_counter() - began)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from functools import lru_cache
+from threading import Lock
 from typing import Literal
 
 from rotorstab.window import FloquetMap, Window, floquet_map, whole_map
@@ -18,6 +19,7 @@ MOST_KEPT = 48
 
 _full: OrderedDict[Window, FloquetMap] = OrderedDict()
 _whole: OrderedDict[Window, FloquetMap] = OrderedDict()
+_lock = Lock()  # of both: what another process has made is kept by a thread of its own
 
 
 @lru_cache(maxsize=MOST_KEPT)
@@ -27,17 +29,20 @@ def _moving_map(window: Window) -> FloquetMap:
 
 def known_detail(window: Window) -> Detail:
     """Return how much of a window is there already."""
-    if window in _whole:
-        return True
-    return "map" if window in _full else False
+    with _lock:
+        if window in _whole:
+            return True
+        return "map" if window in _full else False
 
 
 def keep(window: Window, made: FloquetMap, whole: bool) -> None:
     """Keep a full or a whole map, also one that another process has made."""
     store = _whole if whole else _full
-    store[window] = made
-    while len(store) > MOST_KEPT:
-        store.popitem(last=False)
+    with _lock:
+        store[window] = made
+        store.move_to_end(window)
+        while len(store) > MOST_KEPT:
+            store.popitem(last=False)
 
 
 def known_map(window: Window, detail: Detail) -> FloquetMap:
@@ -46,7 +51,8 @@ def known_map(window: Window, detail: Detail) -> FloquetMap:
         return _moving_map(window)
     whole = detail is True
     store = _whole if whole else _full
-    if window not in store:
-        keep(window, whole_map(window) if whole else floquet_map(window, True), whole)
-    store.move_to_end(window)
-    return store[window]
+    with _lock:
+        known = store.get(window)
+    made = known or (whole_map(window) if whole else floquet_map(window, True))
+    keep(window, made, whole)
+    return made

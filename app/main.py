@@ -18,6 +18,8 @@ from .pages.lessons import cards
 from .printing import FORMATS
 from .session import Session
 from .sockets import install
+from .threads import turn
+from .versions import tell
 
 ASSETS = Path(__file__).parent / "assets"
 STYLES = ("page.css", "inspector.css", "lessons.css")
@@ -147,6 +149,7 @@ def build() -> pn.Template:
 
 
 install()
+tell()
 # Bokeh walks every model once a root and change; once at the end is enough
-with pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
+with turn, pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
     build().servable()

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable
-from contextlib import suppress
+from concurrent.futures import Future
 from functools import partial
 from typing import Any
-
-import panel as pn
-from bokeh.document import Document
 
 from rotorstab.window import Window, floquet_map, whole_map
 
 from .growth import Detail, keep, known_detail
 from .processes import background
+from .threads import Scheduler
 
 __all__ = ["Settling"]
 
@@ -28,66 +25,64 @@ def _next_step(window: Window) -> tuple[Any, ...] | None:
 
 
 class Settling:
-    """Asks for what a session waits for, first the map, then the rest of it; a newer one drops it.
+    """Asks for what a session waits for, first the map, then the rest of it.
 
-    `show` is called on the server's loop when either is there, or could not be made elsewhere.
+    A newer request cancels it. `show` is called by the scheduler when either is there, or could
+    not be made elsewhere.
     """
 
-    def __init__(self, show: Callable[[Detail], None]) -> None:
+    def __init__(self, show: Callable[[Detail], None], scheduler: Scheduler) -> None:
         self._show = show
+        self._scheduler = scheduler
         self._awaited: Window | None = None
         self._asked: tuple[Any, ...] | None = None
-        if pn.state.curdoc is not None:
-            pn.state.curdoc.on_session_destroyed(lambda _: self.drop())
+        scheduler.at_end(self.drop)
 
     def detail(self, window: Window | None) -> Detail:
         """Return how much can be shown at once, and have the rest made.
 
         A window of None needs nothing.
         """
-        document = pn.state.curdoc
-        if window is None or document is None:  # without a server nobody else waits
+        if window is None or self._scheduler.document is None:  # without a server nobody waits
             self.drop()
             return True
         if window != self._awaited:
             self.drop()
+            self._ask(window)
             self._awaited = window
-            self._ask(document, window)
         return known_detail(window)
 
     def drop(self) -> None:
         """Wait no longer."""
-        if self._asked is not None:
-            background.withdraw(*self._asked)
-        self._awaited = self._asked = None
+        asked, self._asked = self._asked, None
+        self._awaited = None
+        if asked is not None:
+            background.withdraw(*asked)
 
-    def _ask(self, document: Document, window: Window) -> None:
-        self._asked = _next_step(window)
-        if self._asked is not None:
-            task = background.request(*self._asked)
-            task.add_done_callback(partial(self._made, document, window, self._asked))
+    def _ask(self, window: Window) -> None:
+        step = _next_step(window)
+        if step is not None:
+            made = background.request(*step)
+            self._asked = step
+            made.add_done_callback(partial(self._made, window, step))
 
-    def _made(
-        self, document: Document, window: Window, asked: tuple[Any, ...], task: asyncio.Task[Any]
-    ) -> None:
-        if task.cancelled():
+    def _made(self, window: Window, step: tuple[Any, ...], made: Future[Any]) -> None:
+        """Keep what was made for everybody, from whatever thread, and have it shown."""
+        if made.cancelled():
             return
-        failed = task.exception() is not None
+        failed = made.exception() is not None
         if not failed:
-            keep(window, task.result(), whole=asked[0] is whole_map)
+            keep(window, made.result(), whole=step[0] is whole_map)
+        self._scheduler.call(partial(self._arrived, window, failed))
+
+    def _arrived(self, window: Window, failed: bool) -> None:
         if window != self._awaited:
             return
         self._asked = None
         if not failed:
-            self._ask(document, window)
+            self._ask(window)
         # what failed is tried once more where the problem can be told
         detail: Detail = True if failed else known_detail(window)
-        if document.session_context:
-            with suppress(RuntimeError):  # the session may have ended meanwhile
-                document.add_next_tick_callback(partial(self._show_unless_moved, window, detail))
-
-    def _show_unless_moved(self, window: Window, detail: Detail) -> None:
-        if window == self._awaited:
-            if detail is True:
-                self._awaited = None
-            self._show(detail)
+        if detail is True:
+            self._awaited = None
+        self._show(detail)

@@ -4,29 +4,22 @@ import errno
 import os
 import signal
 import time
-from concurrent.futures import Future
 
 import pytest
 
-import app.session
 from app.analysis import solve
+from app.files import excuse
 from app.printing import Printer
-from app.session import MOST_FILES, Session, _excuse
+from app.session import Session
 from app.state import State
 from rotorstab import cli
 from rotorstab.charts import chart_figure
 
 
-def failed(problem):
-    future = Future()
-    future.set_exception(problem)
-    return future
-
-
 def test_a_full_disk_is_named_to_the_user():
-    assert "disk is full" in _excuse(failed(OSError(errno.ENOSPC, "No space left on device")))
+    assert "disk is full" in excuse(OSError(errno.ENOSPC, "No space left on device"))
     for problem in (RuntimeError("/home/x"), OSError(errno.EACCES, "denied", "/home/x")):
-        words = _excuse(failed(problem))
+        words = excuse(problem)
         assert "ask once more" in words
         assert "/home" not in words
 
@@ -70,7 +63,7 @@ def test_a_picture_process_that_dies_is_started_again():
     try:
         first = printer.file("first", figure, "svg")
         assert first.result(60).startswith(b"<?xml")
-        (worker,) = printer._pool._processes
+        (worker,) = printer.pids()
         waiting = printer.file("second", figure, "pdf")
         os.kill(worker, signal.SIGKILL)
         assert waiting.exception(60) is not None or waiting.result()
@@ -78,28 +71,6 @@ def test_a_picture_process_that_dies_is_started_again():
         assert again.result(60).startswith(b"%PDF")
     finally:
         printer.close()
-
-
-def test_a_session_may_wait_for_some_files_only(monkeypatch):
-    session = Session()
-    waiting = []
-
-    def never(key, figure, kind):
-        waiting.append(Future())
-        return waiting[-1]
-
-    monkeypatch.setattr(app.session.printer, "file", never)
-    ask = {"type": "export", "chart": "campbell", "format": "pdf"}
-    for _ in range(MOST_FILES):
-        assert "making" in session.respond(ask)["told"]
-    for kind in ("export", "report", "figure"):
-        assert "wait for one" in session.respond(ask | {"type": kind, "number": 6})["told"]
-    assert len(waiting) == MOST_FILES
-    waiting[0].set_result(b"made")
-    assert "making" in session.respond(ask)["told"]
-    monkeypatch.setattr(app.session.printer, "pending", lambda: 10**6)
-    waiting[1].set_result(b"made")
-    assert "wait for one" in session.respond(ask)["told"]
 
 
 def test_a_jump_of_the_clock_changes_no_answer(monkeypatch):

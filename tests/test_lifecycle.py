@@ -213,7 +213,7 @@ import os, signal
 from app.printing import printer
 from rotorstab.figures import FIGURES
 assert printer.file("key", FIGURES[2](), "svg").result()
-print(*printer._pool._processes, flush=True)
+print(*printer.pids(), flush=True)
 os.kill(os.getpid(), signal.SIGKILL)
 """
 

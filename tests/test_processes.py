@@ -1,22 +1,24 @@
 """Processes for work that may wait: done once, dropped, made anew, gone with their server."""
 
-import asyncio
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
+from concurrent.futures import CancelledError, Future, wait
 
 import pytest
 
-from app.processes import ACTIVE, CROWD, PATIENCE, PAUSE, Background
-from tests.serving import run
+from app import processes
+from app.processes import ACTIVE, CROWD, PATIENCE, PAUSE, Background, Worker, settle
 
 SERVER = """
 import os, sys
-from app.processes import start_pool
+from app.processes import Worker
 if __name__ == "__main__":
-    print(start_pool().submit(os.getpid).result(), flush=True)
+    print(Worker().call(os.getpid).result(), flush=True)
     sys.stdin.read()
 """
 
@@ -29,31 +31,40 @@ def background():
 
 
 def test_equal_work_is_done_once_in_a_process_that_gives_way(background):
-    async def ask():
-        tasks = [background.request(os.getpid) for _ in range(3)]
-        return {id(task) for task in tasks}, await tasks[0], await background.request(os.nice, 0)
+    asked = [background.request(os.getpid) for _ in range(3)]
+    assert len({id(one) for one in asked}) == 1
+    assert asked[0].result(60) != os.getpid()
+    assert background.request(os.nice, 0).result(60) == min(19, os.nice(0) + 3)
 
-    tasks, process, niceness = run(ask())
-    assert len(tasks) == 1
-    assert process != os.getpid()
-    assert niceness == min(19, os.nice(0) + 3)
+
+def test_work_is_asked_for_by_any_thread_without_a_loop(background):
+    """From Panel 1.10 on callbacks run in worker threads, several at the same time."""
+    found = []
+
+    def ask(seconds):
+        found.append(background.request(time.sleep, seconds).result(60))
+
+    threads = [threading.Thread(target=ask, args=(0.001 * (k % 4),)) for k in range(16)]
+    for one in threads:
+        one.start()
+    for one in threads:
+        one.join(60)
+    assert found == [None] * 16
+    assert background._works == {}
 
 
 def test_work_that_nobody_waits_for_is_dropped(background):
-    async def ask():
-        running = background.request(time.sleep, 0.5)
-        dropped, kept = background.request(os.getcwd), background.request(os.getpid)
-        background.request(os.getpid)
-        background.withdraw(os.getcwd)
-        background.withdraw(os.getpid)  # one of two who wait
-        again = background.request(os.getcwd)
-        await running
-        return await asyncio.gather(dropped, kept, again, return_exceptions=True)
-
-    dropped, kept, again = run(ask())
-    assert isinstance(dropped, asyncio.CancelledError)
-    assert isinstance(kept, int)
-    assert again == os.getcwd()
+    running = background.request(time.sleep, 0.5)
+    dropped, kept = background.request(os.getcwd), background.request(os.getpid)
+    background.request(os.getpid)
+    background.withdraw(os.getcwd)
+    background.withdraw(os.getpid)  # one of two who wait
+    again = background.request(os.getcwd)
+    running.result(60)
+    with pytest.raises(CancelledError):
+        dropped.result(60)
+    assert isinstance(kept.result(60), int)
+    assert again.result(60) == os.getcwd()
 
 
 def test_in_a_crowd_work_waits_for_a_pause_but_not_for_ever(background, monkeypatch):
@@ -61,55 +72,121 @@ def test_in_a_crowd_work_waits_for_a_pause_but_not_for_ever(background, monkeypa
     clock = iter(range(0, 10_000))
     now = [0.0]
 
-    async def sleep(seconds):
+    def sleep(seconds):
         waits.append(seconds)
         now[0] += seconds
         if now[0] < busy:
             background.touch(next(clock) % CROWD)
 
-    monkeypatch.setattr("app.processes.monotonic", lambda: now[0])
-    monkeypatch.setattr("app.processes.asyncio.sleep", sleep)
+    def begin():
+        """Return how long new work waits for its turn."""
+        waits.clear()
+        background._works = {"key": processes._Work(os.getpid, (), requested=now[0])}
+        assert background._next().begun
+        return sum(waits)
+
+    monkeypatch.setattr(processes, "monotonic", lambda: now[0])
+    monkeypatch.setattr(processes, "sleep", sleep)
 
     busy = 0.0
     for _ in range(50):
         background.touch("one")
         background.touch("another")
-    run(background._pause(PATIENCE))
-    assert waits == []  # two are no crowd
+    assert begin() == 0  # two are no crowd
     for who in range(CROWD):
         background.touch(who)
-    run(background._pause(PATIENCE))
-    assert sum(waits) == pytest.approx(PAUSE)
-    waits.clear()
+    assert begin() == pytest.approx(PAUSE)
     busy = 1e9  # they never stop
     background.touch(0)
-    start = now[0]
-    run(background._pause(start + PATIENCE))
-    assert now[0] - start == pytest.approx(PATIENCE)
+    assert begin() == pytest.approx(PATIENCE)
     busy = 0.0
     now[0] += ACTIVE + 0.1  # all have left
-    waits.clear()
-    run(background._pause(now[0] + PATIENCE))
-    assert waits == []
+    assert begin() == 0
+    background._works = {}
 
 
 def test_a_killed_process_is_replaced(background):
-    async def ask():
-        process = await background.request(os.getpid)
-        os.kill(process, signal.SIGKILL)
-        return process, await background.request(os.getpid)
-
-    first, second = run(ask())
-    assert first != second
+    first = background.request(os.getpid).result(60)
+    os.kill(first, signal.SIGKILL)
+    assert background.request(os.getpid).result(60) != first
 
 
-def test_an_error_of_the_work_is_its_tasks(background):
-    async def ask():
-        with pytest.raises(FileNotFoundError):
-            await background.request(os.stat, "/nowhere/at/all")
-        return await background.request(os.getpid)
+def test_an_error_of_the_work_is_its_futures(background):
+    with pytest.raises(FileNotFoundError):
+        background.request(os.stat, "/nowhere/at/all").result(60)
+    assert background.request(os.getpid).result(60) > 0
 
-    assert run(ask()) > 0
+
+def no_room(*_, **__):
+    raise OSError(11, "Resource temporarily unavailable")
+
+
+def test_nothing_is_left_behind_where_no_process_can_be_started(background, monkeypatch):
+    """A second request for the same must be as good as the first one."""
+    monkeypatch.setattr(processes, "ProcessPoolExecutor", no_room)
+    for _ in range(2):
+        with pytest.raises(OSError, match="unavailable"):
+            background.request(os.getpid).result(60)
+    monkeypatch.undo()
+    monkeypatch.setattr(processes._Spawn, "Process", no_room)
+    with pytest.raises(OSError, match="unavailable"):
+        background.request(os.getpid).result(60)
+    monkeypatch.undo()
+    assert background.request(os.getpid).result(60) > 0
+
+
+def test_nothing_is_left_behind_where_no_thread_can_be_started(background, monkeypatch):
+    def no_thread(self):
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threading.Thread, "start", no_thread)
+    with pytest.raises(RuntimeError, match="new thread"):
+        background.request(os.getpid).result(60)
+    monkeypatch.undo()
+    assert background.request(os.getpid).result(60) > 0
+
+
+def test_an_end_ends_its_own_process_only_and_leaves_nobody_waiting(background):
+    other = Worker()
+    bystander = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(600,))
+    bystander.start()
+    try:
+        kept = other.call(os.getpid).result(60)
+        own = background.request(os.getpid).result(60)
+        running, waiting = background.request(time.sleep, 600), background.request(os.getcwd)
+        while not background._works[time.sleep, (600,)].begun:
+            time.sleep(0.01)
+        background.close()
+        assert wait([running], 60).done
+        assert running.exception() is not None
+        assert waiting.cancelled()
+        assert background.request(os.getppid).cancelled()
+        with pytest.raises(ProcessLookupError):
+            os.kill(own, 0)
+        assert other.call(os.getpid).result(60) == kept
+        assert bystander.is_alive()
+    finally:
+        other.close()
+        bystander.kill()
+        bystander.join()
+
+
+@pytest.mark.parametrize("state", ["cancelled", "failed", "made"])
+def test_a_future_ends_with_another_however_that_ends(state):
+    other, future = Future(), Future()
+    if state == "cancelled":
+        other.cancel()
+    elif state == "failed":
+        other.set_exception(KeyError("x"))
+    else:
+        other.set_result(7)
+    settle(future, other.result)
+    assert future.done()
+    problem = future.exception()
+    assert isinstance(problem, {"cancelled": CancelledError, "failed": KeyError}.get(state, object))
+    assert (problem is None) == (state == "made")
+    settle(future, lambda: 8)  # once only
+    assert future.exception() is problem
 
 
 def test_a_process_ends_with_a_server_that_is_killed(tmp_path):

@@ -2,6 +2,7 @@
 
 import re
 from base64 import b64decode
+from queue import Queue
 
 import pytest
 
@@ -40,10 +41,10 @@ def made(*messages, **report):
     session = Session()
     for message in messages:
         session.respond(message)
-    reply = session.report({"type": "report", **report})
-    reply.later.result(timeout=120)
-    content = reply.wrap(reply.later.result())
-    return b64decode(content["file"]["base64"]).decode()
+    told = Queue()
+    session.controls.tell = told.put
+    assert "making" in session.respond({"type": "report", **report})["told"]
+    return b64decode(told.get(timeout=120)["file"]["base64"]).decode()
 
 
 @pytest.fixture(scope="module")

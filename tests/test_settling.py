@@ -1,7 +1,9 @@
 """What a session waits for: the full map first, then its edges, and nothing that is superseded."""
 
 import asyncio
+from concurrent.futures import Future
 from dataclasses import replace
+from threading import Thread
 
 import panel as pn
 import pytest
@@ -12,6 +14,7 @@ from app.analysis import window_of
 from app.growth import known_detail, known_map
 from app.settling import Settling
 from app.state import State
+from app.threads import Scheduler
 from tests.serving import run
 
 WINDOW = replace(window_of(State()), spin_speed=1.2345)
@@ -42,20 +45,27 @@ class Page:
 
 
 class Here:
-    """A background that works at once, unless it fails, and notes what it is asked."""
+    """A background that works in a thread, unless it fails, and notes what it is asked."""
 
-    def __init__(self, failing=()):
+    def __init__(self, failing=(), refused=()):
         self.asked, self.withdrawn, self.failing = [], [], failing
+        self.refused = list(refused)
 
     def request(self, function, *arguments):
+        if function.__name__ in self.refused:
+            self.refused.remove(function.__name__)
+            raise RuntimeError("no running event loop")
         self.asked.append(function.__name__)
+        made = Future()
 
-        async def work():
+        def work():
             if function.__name__ in self.failing:
-                raise MemoryError
-            return function(*arguments)
+                made.set_exception(MemoryError())
+            else:
+                made.set_result(function(*arguments))
 
-        return asyncio.create_task(work())
+        Thread(target=work).start()
+        return made
 
     def withdraw(self, function, *arguments):
         self.withdrawn.append(function.__name__)
@@ -76,7 +86,7 @@ def settle(monkeypatch, work, act):
     async def play():
         page = Page()
         with set_curdoc(page):
-            await act(Settling(shown.append), page)
+            await act(Settling(shown.append, Scheduler()), page)
 
     run(play())
     return shown
@@ -127,6 +137,36 @@ def test_a_map_that_cannot_be_made_elsewhere_is_shown_all_the_same(fresh, monkey
     assert work.asked == ["floquet_map", "floquet_map"]
 
 
+def test_a_request_that_failed_is_made_again_by_the_next_message(fresh, monkeypatch):
+    """Nothing is noted as asked for before it is."""
+
+    async def act(one, page):
+        with pytest.raises(RuntimeError):
+            one.detail(WINDOW)
+        assert one.detail(WINDOW) is False
+        await page.ticks(2)
+
+    work = Here(refused=["floquet_map"])
+    assert settle(monkeypatch, work, act) == ["map", True]
+    assert work.asked == ["floquet_map", "whole_map"]
+
+
+def test_a_worker_thread_may_ask_and_is_answered_with_the_documents_lock(fresh, monkeypatch):
+    """As from Panel 1.10 on; what is shown is shown by a callback of the document alone."""
+    told = []
+
+    async def act(one, page):
+        told.append(await asyncio.to_thread(one.detail, WINDOW))
+        while not page.callbacks:
+            await asyncio.sleep(0.01)
+        told.append(len(told))
+        await asyncio.to_thread(page.callbacks.pop(0))
+        await page.ticks(1)
+
+    assert settle(monkeypatch, Here(), act) == ["map", True]
+    assert told == [False, 1]
+
+
 def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
     async def act(one, page):
         known_map(WINDOW, "map")
@@ -142,4 +182,4 @@ def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
 
 def test_without_a_server_everything_is_made_at_once(fresh):
     assert pn.state.curdoc is None
-    assert Settling(lambda detail: None).detail(WINDOW) is True
+    assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is True

@@ -5,33 +5,52 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
 import panel as pn
 
 from rotorstab.charts import Chart
-from rotorstab.window import Window
+from rotorstab.window import Window, whole_map
 
-from ..growth import Detail
+from ..growth import Detail, keep
 from ..live import LiveChart
 from ..share import PinnedInputs
 from ..state import State
 
-__all__ = ["FRAGMENTS", "Page", "Reply"]
+__all__ = ["FRAGMENTS", "Need", "Page", "Reply"]
 
 FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
 
 
 @dataclass(frozen=True)
+class Need:
+    """What takes long and must be there before an answer: a call, and what keeps its result.
+
+    Function, arguments and result can be pickled, and the arguments be hashed: another process
+    makes the call.
+    """
+
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
+    keep: Callable[[Any], None]
+
+
+@dataclass(frozen=True)
 class Reply:
-    """What a page answers to a message of its own: now, and later when a picture is made."""
+    """What is answered to a message: `now`, and what follows.
+
+    `later` is a file that is being made, `wrap` returns what the browser is sent of it. `then`
+    returns the rest of the answer, once what it needs is there.
+    """
 
     now: Mapping[str, Any] = field(default_factory=dict)
     later: Future[Any] | None = None
     wrap: Callable[[Any], Mapping[str, Any]] = dict
     reset_view: bool = False
     keep_colours: bool | None = None
+    then: tuple[Need | None, Callable[[], Reply]] | None = None
 
 
 class Page:
@@ -74,6 +93,13 @@ class Page:
         """Return the window whose full map must be made before `show` is quick, if any."""
         return None
 
+    def need(self, state: State) -> Need | None:
+        """Return what must be made before the full charts are computed quickly, if anything."""
+        window = self.awaited(state)
+        if window is None:
+            return None
+        return Need(whole_map, (window,), partial(keep, window, whole=True))
+
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells the charts from others of the same inputs; all of it can be hashed."""
         return ()
@@ -104,9 +130,14 @@ class Page:
             if key in self.charts:
                 self.charts[key].show(chart)
             else:
-                live = self.charts[key] = LiveChart(chart)
+                live = LiveChart(chart)
                 self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
+                self.charts[key] = live
+                self.built(key, live)
             self.charts[key].set_visible(self.visible(state))
+
+    def built(self, key: str, chart: LiveChart) -> None:
+        """Do what a chart needs once, when it has been built."""
 
     def keep_colours(self, keep: bool) -> None:
         """Let the scales of the maps only grow, or let them go."""

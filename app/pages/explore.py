@@ -16,6 +16,7 @@ from ..analysis import CHARTS, Result, solve, window_of
 from ..curves import load_kinds
 from ..growth import Detail, known_detail
 from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
+from ..live import LiveChart
 from ..pins import Pin, differences, ghosted, pin, solved
 from ..rotor_file import read_rotor_file, write_rotor_file
 from ..share import MOST_PINS, PinnedInputs
@@ -96,12 +97,10 @@ class Explore(Page):
             "boundary name": state.show_bolotin,
         }
 
-    def show(self, state: State, settled: Detail = True) -> None:
-        """Draw; the first time, let a click on the instability chart place the marker."""
-        first = not self.charts
-        super().show(state, settled)
-        if first:
-            self.charts["instability"].figure.js_on_event(
+    def built(self, key: str, chart: LiveChart) -> None:
+        """Let a click on the instability chart place the marker."""
+        if key == "instability":
+            chart.figure.js_on_event(
                 "tap", CustomJS(code="window.rotorstab.inspector.tap(cb_obj.x, cb_obj.y)")
             )
 
@@ -132,7 +131,7 @@ class Explore(Page):
         problems = []
         for one in pins:
             try:
-                self.pins.append(solved(one))
+                self.pins = [*self.pins, solved(one)]
             except ValueError as error:
                 problems.append(f"p{one.number} ({error})")
             except Exception:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
+from rotorstab import figures
 from rotorstab.charts.written import written
 from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
-from ..comparisons import paper_figure
+from ..comparisons import figure_known, keep_figure, paper_figure
 from ..printing import printer
 from ..state import PRESETS, SYMBOLS, State
-from .base import Page, Reply
+from .base import Need, Page, Reply
 
-__all__ = ["Paper"]
+__all__ = ["Paper", "figure_need"]
 
 _FIELDS = ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
 
@@ -90,6 +92,13 @@ def describe_table() -> list[list[str]]:
     ]
 
 
+def figure_need(number: int, floquet: bool) -> Need | None:
+    """Return what must be made before `paper_figure` is quick, if anything."""
+    if figure_known(number, floquet):
+        return None
+    return Need(figures.paper_figure, (number, floquet), partial(keep_figure, number, floquet))
+
+
 class Paper(Page):
     """The paper's figures as pictures made by the code that prints them."""
 
@@ -107,10 +116,14 @@ class Paper(Page):
         if message.get("type") != "figure" or not known:
             return Reply()
         floquet = message.get("floquet") is True and number in FLOQUET_FIGURES
-        return Reply(
-            now={"figure": describe(number, floquet), "table_1": describe_table()},
-            later=printer.file((number, floquet), paper_figure(number, floquet), "svg"),
-            wrap=lambda svg: {
-                "picture": {"number": number, "floquet": floquet, "svg": svg.decode()}
-            },
-        )
+
+        def answer() -> Reply:
+            return Reply(
+                now={"figure": describe(number, floquet), "table_1": describe_table()},
+                later=printer.file((number, floquet), paper_figure(number, floquet), "svg", state),
+                wrap=lambda svg: {
+                    "picture": {"number": number, "floquet": floquet, "svg": svg.decode()}
+                },
+            )
+
+        return Reply(then=(figure_need(number, floquet), answer))

@@ -14,6 +14,7 @@ import threading
 from bokeh.server.server import BaseServer
 
 from . import dashboard
+from .patching import replace
 from .sessions import draining, open_sockets
 from .settings import Settings
 
@@ -25,8 +26,8 @@ SPARE = 1.0  # s after which a process that should have ended is ended
 
 def exports_running() -> int:
     """Return the number of files that are being made."""
-    printing = dashboard.module("printing")
-    return printing.printer.pending() if printing else 0
+    files = dashboard.module("files")
+    return files.making() if files else 0
 
 
 async def _until(done, seconds):
@@ -87,4 +88,4 @@ def run_until_shutdown(server, seconds):
 
 def install(settings: Settings):
     """Drain this process's server at its end."""
-    BaseServer.run_until_shutdown = lambda self: run_until_shutdown(self, settings.drain)
+    replace(BaseServer, "run_until_shutdown", lambda self: run_until_shutdown(self, settings.drain))

@@ -9,6 +9,7 @@ from tornado.httpserver import _HTTPRequestContext
 from tornado.httputil import HTTPServerRequest
 from tornado.web import RequestHandler
 
+from .patching import replace
 from .settings import Settings
 
 LONGEST_LINE = 2000
@@ -77,9 +78,9 @@ def shown_request(request: HTTPServerRequest) -> str:
 def install(settings: Settings):
     """Send every log record of this process to standard error in one form."""
     logging.setLogRecordFactory(ShortRecord)
-    RequestHandler._request_summary = summary
-    HTTPServerRequest.__repr__ = shown_request
-    _HTTPRequestContext.__str__ = lambda context: "a client"
+    replace(RequestHandler, "_request_summary", summary)
+    replace(HTTPServerRequest, "__repr__", shown_request)
+    replace(_HTTPRequestContext, "__str__", lambda context: "a client")
     plain = settings.log_format == "text" or (settings.log_format == "auto" and sys.stderr.isatty())
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(

@@ -34,6 +34,7 @@ __all__ = [
     "figure_8",
     "figure_9",
     "own_regions",
+    "paper_figure",
     "table_1",
 ]
 
@@ -51,3 +52,17 @@ FIGURES: dict[int, Callable[..., Figure]] = {
 
 FLOQUET_FIGURES = (4, 5, 6, 7, 8, 9)
 """Those whose function takes `floquet=True`."""
+
+
+def paper_figure(number: int, floquet: bool = False) -> Figure:
+    """Return a figure of the paper by its number.
+
+    Parameters
+    ----------
+    number : int
+        A key of `FIGURES`.
+    floquet : bool
+        Add Floquet's answer, for a figure that is one of `FLOQUET_FIGURES`.
+    """
+    make = FIGURES[number]
+    return make(floquet=True) if floquet and number in FLOQUET_FIGURES else make()
