@@ -1,4 +1,4 @@
-"""True edges, margins and higher-order Bolotin boundaries."""
+"""True edges and higher-order Bolotin boundaries."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,6 @@ from rotors import P, W
 from rotorstab import BASE_CASE, boundary_frequencies, lumped
 from rotorstab.floquet import growth_rate
 from rotorstab.hill import hill_boundary_frequencies
-from rotorstab.margin import critical_pulsation, stability_margin
 from rotorstab.resonance import resonances
 from rotorstab.tongues import tongue_edges
 
@@ -87,29 +86,3 @@ def test_hill_bad_input():
     with pytest.raises(ValueError, match="`period` must be one of"):
         hill_boundary_frequencies(system, 0.0, 0.1, 1, "3T")
     assert hill_boundary_frequencies(system, np.zeros((3, 1)), 0.1, 2).shape == (3, 1, 8)
-
-
-def test_critical_pulsation_is_where_growth_starts():
-    system = lumped(BASE_CASE, 2.0)
-    theta = np.array([1.5, 1.65, 3.9, 5.0]) * W
-    result = critical_pulsation(system, 0.5 * P, theta, P)
-    assert np.isinf(result.pulsating_load[3])
-    assert result.pairs == ("1B+1F", "1B+1F", "2B+1F", "")
-    for load, frequency in zip(result.pulsating_load[:3], theta, strict=False):
-        below, above = growth_rate(system, 0.5 * P, load * np.array([0.9999, 1.0001]), frequency)
-        assert below < 1e-8 < above
-
-
-def test_margin():
-    undamped = stability_margin(lumped(BASE_CASE, 2.0), 0.5 * P, 1.0 * W, 11 * W, P)
-    assert (undamped.pulsating_load, undamped.pair) == (0.0, "1B+1F")
-    system = lumped(BASE_CASE, 2.0, external_damping=0.02)
-    margin = stability_margin(system, 0.5 * P, 1.0 * W, 3 * W, 0.5 * P)
-    row = resonances(system, 0.5 * P, P)["1B+1F"]
-    assert (margin.pair, margin.order) == ("1B+1F", 1)
-    assert margin.pulsating_load == pytest.approx(row.threshold, rel=2e-3)
-    assert margin.excitation_frequency == pytest.approx(row.centre, rel=2e-3)
-    nothing = stability_margin(system, 0.5 * P, 5.0 * W, 5.5 * W, 0.1 * P)
-    assert nothing.pulsating_load == np.inf
-    with pytest.raises(ValueError, match="`highest_frequency` must be in"):
-        stability_margin(system, 0.0, 2.0, 1.0, 0.1)

@@ -8,20 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import number, numbers
-from .floquet import floquet_solution
+from .crossings import Plane, first_crossings
+from .lowest import HIGHEST_ORDER, lowest_load
 from .resonance import ResonanceTable, resonances
-from .stability import stability_chart
 from .system import System
-from .tongues import bracketed_roots, edge_function
 
 __all__ = ["CriticalPulsation", "StabilityMargin", "critical_pulsation", "stability_margin"]
 
 Array = NDArray[np.float64]
 
-_ROWS = 160  # loads scanned before the first crossing is refined
-_COLUMNS = 161  # frequencies scanned over a band
-_ORDERS = 6  # highest θ̄ = |ω_i − ω_j|/k named
-_ZOOMS = 4
+_UNSTABLE = 1e-8  # growth rate above which the mean rotor is unstable by itself
 _REACH = 2.0  # first-order half-widths within which the simple resonance is named
 
 
@@ -82,7 +78,7 @@ def _nearest(table: ResonanceTable, frequency: float, load: float) -> tuple[str,
     choices = [
         (abs(np.log(row.centre / k / frequency)) * k, row.name, k)
         for row in rows
-        for k in range(1, _ORDERS + 1)
+        for k in range(1, HIGHEST_ORDER + 1)
     ]
     if not choices:
         return "", 0
@@ -90,27 +86,12 @@ def _nearest(table: ResonanceTable, frequency: float, load: float) -> tuple[str,
     return name, order
 
 
-def _crossings(
-    system: System, static: float, frequencies: Array, largest: float, rows: int
-) -> Array:
-    """Return the first load at which each frequency becomes unstable, inf if none."""
-    loads = largest * np.arange(rows + 1) / rows
-    chart = stability_chart(system, static, loads, frequencies, seed=False)
-    with np.errstate(invalid="ignore"):
-        unstable = chart.growth > chart.error
-    found = unstable.any(axis=0)
-    first = unstable.argmax(axis=0)
-    critical = np.where(found, 0.0, np.inf)
-    refine = np.flatnonzero(found & (first > 0))
-    theta, static_value = frequencies[refine], static
-    root = bracketed_roots(
-        lambda load, i: edge_function(system, static_value, load, theta[i]),
-        loads[first[refine]],
-        loads[first[refine] - 1],
-    )
-    # a sign that the refinement cannot see keeps the row's load
-    critical[refine] = np.where(np.isfinite(root), root, loads[first[refine]])
-    return critical
+def _plane(system: System, static_load: float, largest_load: float) -> tuple[Plane, float]:
+    """Return what both functions look at, from checked arguments."""
+    static = number("static_load", static_load)
+    largest = number("largest_load", largest_load, 0.0, open_low=True)
+    system.load_harmonics(static, largest)  # refuses a load past the pole of the exact law
+    return Plane(system, static, resonances(system, static, 0.0)), largest
 
 
 def critical_pulsation(
@@ -143,14 +124,23 @@ def critical_pulsation(
 
     Notes
     -----
-    Found on 160 loads, then refined to 1e-9. A tongue that a frequency crosses over less than
-    a 160th of the largest load may be missed.
+    Each frequency is looked at by itself: at 10 to 80 loads, at the first-order crossings of the
+    resonance table, and where two multipliers come closest between them, so that a tongue need
+    not be open at a scanned load. The crossing is refined to 1e-9 on single points. Without
+    damping a growth rate below 1e-6 does not count. A tongue may be missed where more than
+    three pairs of multipliers come close at one load, or where multipliers turn by about one
+    radian or more from one scanned load to the next: at θ̄ far below the whirl frequencies.
     """
-    static = number("static_load", static_load)
-    largest = number("largest_load", largest_load, 0.0, open_low=True)
+    plane, largest = _plane(system, static_load, largest_load)
+    table = plane.table
     theta = np.array(numbers("excitation_frequencies", excitation_frequencies, 0.0, open_low=True))
-    critical = _crossings(system, static, theta, largest, _ROWS)
-    table = resonances(system, static, largest)
+    if theta.ndim != 1 or theta.size == 0:
+        raise ValueError(
+            f"`excitation_frequencies` must be a list of numbers, got shape {theta.shape}"
+        )
+    critical = np.zeros_like(theta)
+    if table.mean_growth <= _UNSTABLE:
+        critical = first_crossings(plane, theta, np.full(theta.shape, largest))
     named = [
         _nearest(table, float(f), float(p) + 1e-12) if np.isfinite(p) else ("", 0)
         for f, p in zip(theta, critical, strict=True)
@@ -184,7 +174,8 @@ def stability_margin(
     Returns
     -------
     StabilityMargin
-        Undamped, 0 at the strongest tongue rooted in the band.
+        Undamped, 0 at the strongest first-order tongue rooted in the band; 0 at the lowest
+        frequency if the mean system is unstable by itself.
 
     Raises
     ------
@@ -193,31 +184,29 @@ def stability_margin(
 
     Notes
     -----
-    Undamped tongues of order k ≥ 2 also reach p̄_t = 0, in cusps too thin to matter under any
-    damping; they count only as far as the scan of 161 frequencies sees them.
+    The tip of each tongue of the resonance table is refined on single points (growth 0 and
+    ∂growth/∂θ̄ = 0), with damping to 1e-6 or better. The ends of the band count with their own
+    crossings, so a tongue rooted outside is seen where it enters. What no first-order tongue
+    explains is then looked for at loads below: in 160 frequencies, and near every
+    θ̄ = |ω_i − ω_j|/k up to k = 6, where the place at which two multipliers come closest is
+    followed. A tongue of higher order counts as far as the 160 frequencies see it, and a band
+    of growth that opens and closes again between the loads looked at may be missed.
+
+    Without damping, or with a decay below 1e-6, tongues of order k ≥ 2 reach down to p̄_t = 0
+    in thin cusps: they count from the load at which they grow faster than 1e-6.
     """
-    static = number("static_load", static_load)
+    plane, largest = _plane(system, static_load, largest_load)
+    table = plane.table
     low = number("lowest_frequency", lowest_frequency, 0.0, open_low=True)
     high = number("highest_frequency", highest_frequency, low, open_low=True)
-    largest = number("largest_load", largest_load, 0.0, open_low=True)
-    table = resonances(system, static, largest)
-    if float(floquet_solution(system, static, 0.0, high).growth_rate) > 1e-8:
+    if table.mean_growth > _UNSTABLE:
         return StabilityMargin(0.0, low, "", 0)
     roots = [row for row in table.tongues if row.threshold == 0 and low <= row.centre <= high]
     if roots:
         best = max(roots, key=lambda row: row.growth_per_load)
         return StabilityMargin(0.0, best.centre, best.name, 1)
-    inside = [row.centre for row in table if low <= row.centre <= high and row.growth_per_load > 0]
-    theta = np.unique(np.concatenate([np.linspace(low, high, _COLUMNS), inside]))
-    critical = _crossings(system, static, theta, largest, _ROWS)
-    for _ in range(_ZOOMS):
-        k = int(np.argmin(critical))
-        if not np.isfinite(critical[k]):
-            return StabilityMargin(np.inf, np.nan, "", 0)
-        ends = theta[max(k - 1, 0)], theta[min(k + 1, len(theta) - 1)]
-        best_theta, best_load = theta[k], critical[k]
-        theta = np.unique(np.append(np.linspace(*ends, 17), best_theta))
-        critical = _crossings(system, static, theta, float(best_load) * 1.02, 8)
-    k = int(np.argmin(critical))
-    name, order = _nearest(table, float(theta[k]), float(critical[k]) + 1e-12)
-    return StabilityMargin(float(critical[k]), float(theta[k]), name, order)
+    margin = lowest_load(plane, (low, high), largest)
+    if not np.isfinite(margin.load):
+        return StabilityMargin(np.inf, np.nan, "", 0)
+    name, order = _nearest(table, margin.frequency, margin.load)
+    return StabilityMargin(margin.load, margin.frequency, name, order)
