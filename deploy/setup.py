@@ -21,6 +21,7 @@ PARTS = (
     "hosts",
     "addresses",
     "limits",
+    "connections",
     "messages",
     "sessions",
     "health",

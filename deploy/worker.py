@@ -29,7 +29,7 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
         "session-token-expiration": settings.token_lifetime,
         "keep-alive": settings.keep_alive * 1000,
         "unused-session-lifetime": settings.unused_lifetime * 1000,
-        "check-unused-sessions": min(15, settings.unused_lifetime) * 1000,
+        "check-unused-sessions": min(5, settings.unused_lifetime) * 1000,
     }
     words = ["panel", "serve", app]
     for name, value in options.items():

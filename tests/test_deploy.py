@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import functools
 import json
 import os
 import re
@@ -14,6 +15,7 @@ from bokeh.util.token import get_token_payload
 from tornado.httpclient import HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from deploy.server import sessions
 from tests.serving import START, Server, run
 
 APP = '''
@@ -277,33 +279,81 @@ def test_the_log_says_where_and_holds_no_secret(server):
 def test_places_are_limited_for_pages_and_sockets(small_server):
     server = small_server
     origin = f"http://localhost:{server.port}"
-    token = server.token()
-    for _ in range(LIMIT - 1):
-        assert server.get("/tiny")[0] == 200
-
-    status, headers, page = server.get("/tiny")
-    assert status == 503
-    assert int(headers["Retry-After"]) > 0
-    assert "places are taken" in page
-    # Liveness builds no document, whatever it is asked for; HEAD takes no place either.
-    assert server.get("/health?endpoint=/tiny")[0] == 200
-    assert server.get("/tiny", method="HEAD")[0] == 200
 
     async def crowd():
         async with contextlib.AsyncExitStack() as stack:
             for _ in range(LIMIT - 1):
+                token = await asyncio.to_thread(server.token)
                 await stack.enter_async_context(server.connect(token, Origin=origin))
+            late = await asyncio.to_thread(server.token)
             async with server.connect(token, Origin=origin):
                 with pytest.raises(HTTPClientError, match="503"):
-                    await stack.enter_async_context(server.connect(token, Origin=origin))
+                    await stack.enter_async_context(server.connect(late, Origin=origin))
             for _ in range(50):
                 try:
-                    return await stack.enter_async_context(server.connect(token, Origin=origin))
+                    await stack.enter_async_context(server.connect(late, Origin=origin))
+                    break
                 except HTTPClientError:
                     await asyncio.sleep(0.1)
-            pytest.fail("the place of a closed socket stayed taken")
+            else:
+                pytest.fail("the place of a closed socket stayed taken")
+            status, headers, page = await asyncio.to_thread(server.get, "/tiny")
+            assert status == 503
+            assert int(headers["Retry-After"]) > 0
+            assert "places are taken" in page
+            # neither builds a document: whatever /health is asked for, and HEAD
+            assert (await asyncio.to_thread(server.get, "/health?endpoint=/tiny"))[0] == 200
+            head = await asyncio.to_thread(functools.partial(server.get, "/tiny", method="HEAD"))
+            assert head[0] == 200
 
     run(crowd())
+
+
+def test_pages_that_never_connect_shut_nobody_out(small_server):
+    """A monitor that asks for the page once took every place for a minute."""
+    server = small_server
+    origin = f"http://localhost:{server.port}"
+    first = server.token()
+    tokens = [server.token() for _ in range(4 * LIMIT)]
+    held = re.search(r"^rotorstab_sessions (\S+)$", server.get("/metrics")[2], re.M)
+    assert float(held[1]) <= LIMIT + 1
+
+    async def crowd():
+        async with contextlib.AsyncExitStack() as stack:
+            # the first page gave way, and its browser comes all the same
+            for token in (first, *tokens[1 - LIMIT :]):
+                await stack.enter_async_context(server.connect(token, Origin=origin))
+
+    run(crowd())
+
+
+def test_a_page_that_never_connects_is_kept_for_a_quarter_of_a_minute(monkeypatch):
+    """And one that was connected for as long as is set: its tab may come back."""
+
+    async def nothing(self, linger):
+        pass
+
+    class Session:
+        expiration_blocked = False
+
+        def __init__(self, seconds, connections=0, **more):
+            self.milliseconds_since_last_unsubscribe = 1000 * seconds
+            self.connection_count = connections
+            vars(self).update(more)
+
+    class Context:
+        def __init__(self, *held):
+            self._sessions = dict(enumerate(held))
+            self.gone = []
+
+        async def _discard_session(self, session, allowed):
+            assert allowed(session)
+            self.gone.append(session)
+
+    monkeypatch.setattr(sessions, "cleanup_sessions", nothing)
+    context = Context(Session(14), Session(16), Session(20, 1), Session(30, was_connected=True))
+    run(sessions.cleanup(context, 60_000))
+    assert context.gone == [context._sessions[1]]
 
 
 @pytest.mark.parametrize("value", ["0", "many", "-1"])

@@ -408,7 +408,8 @@ def test_a_class_has_as_many_sessions_as_pages_until_it_is_full(lab):
             assert all([await answers(connection) for _, connection in members])
 
             for _ in range(2 * PLACES - PAGES):
-                await asyncio.to_thread(lab.page)
+                cookie, token = await asyncio.to_thread(lab.page)
+                members.append((cookie, await lab.connect(cookie, token)))
             status, headers, page = await asyncio.to_thread(lab.get, "/app")
             assert status == 503
             assert headers["Retry-After"] == "30"

@@ -17,12 +17,15 @@ log = logging.getLogger("rotorstab.limits")
 
 RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
 PATIENCE = 15.0  # s above the rate, then the socket is closed
-# Seconds of the server's one thread, while others are active: a sender who keeps on asking for the
-# dearest picture leaves it to the rest of the class. Half a minute of dragging costs some 10, and
-# who drags half of the time never runs out.
+# Seconds of the server's one thread that a sender may use while others are active. Half a minute of
+# dragging costs some 10 s, and whoever drags half of the time never runs out.
 SHARE, CREDIT = 0.25, 10.0
+# Of messages that take long, each of which holds up whoever comes meanwhile: a page has one now and
+# then, a stream of them is kept below one twentieth of the time, so that nineteen of twenty
+# messages of the others find the thread free.
+LONG, LONG_SHARE, LONG_CREDIT = 0.06, 0.04, 2.0
 ACTIVE = 2.0  # s since the last message
-LONGEST_TURN = 2.0  # s to wait between two messages
+LOOK_AGAIN = 1.0  # s after which a sender that waits is let go if nobody else is active any more
 CHEAP = 1e-3  # s of the thread: a message comes in fragments, only the last of which is work
 REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
 FRAGMENTS = 3  # of one message
@@ -79,8 +82,16 @@ def others_wait(socket):
     now = time.monotonic()
     for one in [one for one, last in active.items() if now - last > ACTIVE]:
         del active[one]
-    active[socket] = now
-    return len(active) > 1
+    return any(one is not socket for one in active)
+
+
+async def pay(socket):
+    """Wait until a sender has paid for its share of the thread, as long as others are active."""
+    while not is_closing(socket) and others_wait(socket):
+        debt = max(socket.work.wait(0), socket.long_work.wait(0))
+        if debt < CHEAP:
+            return
+        await asyncio.sleep(min(debt, LOOK_AGAIN))
 
 
 async def paced(self, fragment, handle=on_message):
@@ -89,7 +100,7 @@ async def paced(self, fragment, handle=on_message):
         return
     if not hasattr(self, "pace"):
         self.pace, self.hurried = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
-        self.work = Bucket(SHARE, CREDIT)
+        self.work, self.long_work = Bucket(SHARE, CREDIT), Bucket(LONG_SHARE, LONG_CREDIT)
     wait = self.pace.wait()
     if wait > 0:
         now = time.monotonic()
@@ -103,10 +114,14 @@ async def paced(self, fragment, handle=on_message):
     began = time.thread_time()
     await handle(self, fragment)
     used = time.thread_time() - began
-    debt = self.work.wait(used)
-    held = others_wait(self) and used > CHEAP
+    active[self] = time.monotonic()
+    self.work.wait(used)
+    if used > LONG:
+        self.long_work.wait(used)
     # at least one turn of the loop: what was read in one go would be handled in one go
-    await asyncio.sleep(min(debt, LONGEST_TURN) if held else 0)
+    await asyncio.sleep(0)
+    if used > CHEAP:
+        await pay(self)
 
 
 @functools.wraps(on_close)

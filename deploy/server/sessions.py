@@ -1,10 +1,16 @@
-"""Sessions and sockets: counted, and refused before anything is built for them."""
+"""Sessions and sockets: counted, and refused before anything is built for them.
+
+A place is held by a session that has a socket. A page whose socket has not come yet, or has gone,
+holds none; it is kept for a while, and the oldest of these gives way where there are too many. Its
+browser loses nothing: the session is built again from the token when the socket comes.
+"""
 
 import asyncio
 import functools
 import threading
 
 from bokeh.server.contexts import ApplicationContext
+from bokeh.server.session import ServerSession
 from bokeh.server.views.session_handler import SessionHandler
 from bokeh.util.token import check_token_signature, get_session_id
 from panel.io.server import DocHandler, WSHandler
@@ -19,6 +25,7 @@ draining = threading.Event()
 """Set when the server ends: nobody new is served."""
 most_sessions = 60
 refused = 0
+CONNECTING = 15_000  # ms that a page is kept whose socket has never come
 
 
 def refuse():
@@ -30,6 +37,8 @@ def refuse():
 
 page_session = DocHandler.get_session
 create_session_if_needed = ApplicationContext.create_session_if_needed
+cleanup_sessions = ApplicationContext._cleanup_sessions
+subscribe = ServerSession.subscribe
 session_prepare = SessionHandler.prepare
 socket_prepare = WSHandler.prepare
 socket_connection_close = WSHandler.on_connection_close
@@ -42,6 +51,51 @@ def documents(application):
         len(context._sessions) + len(context._pending_sessions)
         for context in application.applications.values()
     )
+
+
+def places_taken(application):
+    """Number of sessions that have a socket."""
+    return sum(
+        session.connection_count > 0
+        for context in application.applications.values()
+        for session in context._sessions.values()
+    )
+
+
+def without_socket(context):
+    """Sessions of one app that nobody is connected to, the longest alone first."""
+    alone = [one for one in context._sessions.values() if one.connection_count == 0]
+    return sorted(alone, key=lambda one: -one.milliseconds_since_last_unsubscribe)
+
+
+async def discard(context, session):
+    """Discard a session unless somebody connects to it or a message of it is being answered."""
+    if session.connection_count == 0 and not session.expiration_blocked:
+        await context._discard_session(session, lambda one: one.connection_count == 0)
+
+
+async def make_room(context):
+    """Discard the oldest sessions without a socket, so that one more of them may be built."""
+    alone = without_socket(context)
+    for session in alone[: max(0, len(alone) + 1 - most_sessions)]:
+        await discard(context, session)
+
+
+@functools.wraps(subscribe)
+def subscribe_and_note(self, connection):
+    """Connect a session, which is kept for longer from then on if the connection is lost."""
+    self.was_connected = True
+    subscribe(self, connection)
+
+
+@functools.wraps(cleanup_sessions)
+async def cleanup(self, linger):
+    """Discard sessions that were left, and earlier those that nobody ever connected to."""
+    await cleanup_sessions(self, linger)
+    for session in without_socket(self):
+        late = session.milliseconds_since_last_unsubscribe > CONNECTING
+        if late and not hasattr(session, "was_connected"):
+            await discard(self, session)
 
 
 def known_session(handler, token):
@@ -92,9 +146,11 @@ async def prepare_page(self):
         for name in [name for name in arguments if name.startswith("bokeh-")]:
             del arguments[name]
     await session_prepare(self)
-    full = documents(self.application) >= most_sessions
-    if self.request.method != "HEAD" and (full or draining.is_set()):
+    if self.request.method == "HEAD":
+        return
+    if draining.is_set() or places_taken(self.application) >= most_sessions:
         refuse()
+    await make_room(self.application_context)
 
 
 @functools.wraps(socket_prepare)
@@ -114,8 +170,8 @@ async def prepare_socket(self):
     known = known_session(self, protocols[1].strip())
     if draining.is_set() or len(open_sockets) >= most_sessions:
         refuse()
-    if not known and documents(self.application) >= most_sessions:
-        refuse()
+    if not known:
+        await make_room(self.application_context)
     open_sockets.add(self)
 
 
@@ -140,6 +196,8 @@ def install(settings: Settings):
     most_sessions = settings.max_sessions
     replace(DocHandler, "get_session", session_or_error)
     replace(ApplicationContext, "create_session_if_needed", create_session)
+    replace(ServerSession, "subscribe", subscribe_and_note)
+    replace(ApplicationContext, "_cleanup_sessions", cleanup)
     replace(DocHandler, "prepare", prepare_page)
     replace(WSHandler, "prepare", prepare_socket)
     replace(WSHandler, "on_connection_close", socket_gone)

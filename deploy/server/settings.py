@@ -127,7 +127,7 @@ class Settings:
         "ROTORSTAB_MAX_SESSIONS",
         "60",
         whole(1, 10000),
-        "pages, and likewise sockets, of one worker at a time; the next is told to wait (503)",
+        "connected pages of one worker at a time; the next is told to wait (503)",
     )
     token_lifetime: int = setting(
         "ROTORSTAB_TOKEN_LIFETIME", "3600", whole(60, 604800), "s a page may take to connect"
