@@ -170,7 +170,8 @@ class Inputs(param.Parameterized):
         objects=["lumped", "finite elements"],
         label="Model",
         doc="The paper's two degrees of freedom, or Timoshenko elements reduced to 4 "
-        "(r² = Φ/3, or r of the shaft in SI where that gives Φ).",
+        "(r² = Φ/3, or r of the shaft in SI where that gives Φ): first four whirls right to "
+        "0.1 %, the third mode to 1 %; drawn edges are of two modes, up to a few percent off.",
     )
     show_growth = param.Boolean(
         default=True,

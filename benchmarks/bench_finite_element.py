@@ -1,9 +1,14 @@
-"""Fig. 4's boundaries by the lumped model, by finite elements, and by reduced ones.
+"""Finite elements: what they cost on Fig. 4, and how far reduced ones are off over the sliders.
 
-`python benchmarks/bench_finite_element.py` times all in one run and prints ratios: absolute
-times depend on the machine. The paper's point was the cost of its 80 × 80 comparator; 20
-elements here are 40 complex degrees of freedom, 80 × 80 in first-order form as well (160 × 160
-for the boundaries, whose two load levels K₋ and K₊ are coupled by the spin).
+The first tables time Fig. 4's boundaries by the lumped model, by finite elements and by reduced
+ones in one run, and print ratios: absolute times depend on the machine. The paper's point was the
+cost of its 80 × 80 comparator; 20 elements here are 40 complex degrees of freedom, 80 × 80 in
+first-order form as well (160 × 160 for the boundaries, whose two load levels K₋ and K₊ are
+coupled by the spin).
+
+The other tables draw rotors at random from the ranges of the dashboard's sliders and compare the
+reduced elements with all of them: whirl frequencies, growth rates, and the edges of tongues that
+the dashboard draws.
 """
 
 from __future__ import annotations
@@ -23,10 +28,16 @@ from rotorstab import (
     critical_load,
     finite_element,
     fundamental_frequency,
+    growth_rate,
     lumped,
+    whirl_frequencies,
 )
+from rotorstab.window import LOWEST_EDGE, MODES, Model, Window, tongue_outlines
 
 POINTS = 101
+ACCURATE = 6  # coordinates against which growth and edges are measured; all would take hours
+STEPS = np.array([3e-4, 1e-3, 3e-3, 1e-2, 3e-2])  # distances from an edge, relative to θ
+GROWS = 1e-6
 
 
 def boundaries(system: System, buckling: float) -> np.ndarray:
@@ -45,7 +56,168 @@ def timed(call: Callable[[], np.ndarray], budget: float = 1.5) -> tuple[float, n
     return statistics.median(times), result
 
 
-def main() -> None:
+def random_cases(count: int, seed: int, rigid: bool) -> list[tuple[ShaftDisk, float, float, float]]:
+    """Return rotor, spin speed, tangency and static load factor, drawn from the sliders' ranges.
+
+    A rigid disk has Ī_P of at most 2 Ī_D; the sliders allow more. r² = Φ/3 as the dashboard has it.
+    """
+    draw = np.random.default_rng(seed)
+    cases = []
+    for _ in range(count):
+        diametral = float(np.exp(draw.uniform(np.log(0.01), np.log(3.0))))
+        shear = float(draw.uniform(0.0, 0.1) * (draw.random() < 0.8))
+        rotor = ShaftDisk(
+            shear=shear,
+            disk_mass=float(np.exp(draw.uniform(np.log(0.5), np.log(20.0)))),
+            diametral_inertia=diametral,
+            polar_inertia=float(draw.uniform(0.0, 2 * diametral if rigid else 6.0)),
+            slenderness=math.sqrt(shear / 3),
+        )
+        tangency = float(draw.choice([0.0, 1.0, draw.random()]))
+        cases.append((rotor, float(draw.uniform(0, 4)), tangency, float(draw.uniform(0, 0.95))))
+    return cases
+
+
+def slowest_whirls(system: System, load: float) -> np.ndarray:
+    """Return 2B, 1B, 1F, 2F: the two nearest to 0 of each direction; complex where it grows."""
+    whirl = whirl_frequencies(system, load)
+    whirl = whirl[np.argsort(np.abs(whirl))]
+    backward, forward = whirl[whirl.real < 0][:2], whirl[whirl.real >= 0][:2]
+    return np.concatenate([backward[::-1], forward])
+
+
+def whirl_errors(
+    cases: list[tuple[ShaftDisk, float, float, float]], modes: tuple[int, ...]
+) -> dict[int, np.ndarray]:
+    """Return the errors of 2B, 1B, 1F, 2F (k, 4) by number of coordinates, against all of them.
+
+    Relative to the frequency, or to 0.1 ω_n where the frequency is lower than that.
+    """
+    errors: dict[int, list[np.ndarray]] = {count: [] for count in modes}
+    for rotor, spin, tangency, factor in cases:
+        buckling = float(critical_load(rotor.shear))
+        everything = finite_element(rotor, spin, tangency)
+        floor = 0.1 * fundamental_frequency(everything)
+        reduced = {count: finite_element(rotor, spin, tangency, modes=count) for count in modes}
+        for load in (-buckling, 0.0, factor * buckling):
+            wanted = slowest_whirls(everything, load)
+            if np.abs(wanted.imag).max() > GROWS:
+                continue
+            for count, system in reduced.items():
+                gap = np.abs(slowest_whirls(system, load) - wanted)
+                errors[count].append(gap / np.maximum(np.abs(wanted), floor))
+    return {count: np.array(found) for count, found in errors.items()}
+
+
+def growth_errors(cases: list[tuple[ShaftDisk, float, float, float]], points: int) -> np.ndarray:
+    """Return errors of growth rates (k, points) of the dashboard's system, over each largest.
+
+    Only for loads slower than any resonance of the third mode, whose frequency is right to 1 %.
+    """
+    errors = []
+    for seed, (rotor, spin, tangency, factor) in enumerate(cases):
+        buckling = float(critical_load(rotor.shear))
+        draw = np.random.default_rng(seed)
+        small, accurate = (
+            finite_element(rotor, spin, tangency, modes=count) for count in (MODES, ACCURATE)
+        )
+        whirl = whirl_frequencies(accurate, factor * buckling).real
+        slow, fast = np.split(whirl[np.argsort(np.abs(whirl))], [4])
+        scale = fundamental_frequency(accurate)
+        high = min(16 * scale, 0.95 * float(np.abs(np.subtract.outer(fast, slow)).min()))
+        theta = draw.uniform(0.6 * scale, high, points)
+        at = factor * buckling, draw.uniform(0, 1, points) * buckling, theta
+        wanted = growth_rate(accurate, *at)
+        if wanted.max() > 1e-3 * scale:
+            errors.append(np.abs(growth_rate(small, *at) - wanted) / wanted.max())
+    return np.array(errors)
+
+
+def edge_errors(cases: list[tuple[ShaftDisk, float, float, float]]) -> tuple[np.ndarray, int]:
+    """Return how many edges are right within each of `STEPS`, and beyond; and windows without.
+
+    An edge is right within a step if the accurate system grows that far inside it, or in the
+    middle of a tongue thinner than that, and does not grow that far outside.
+    """
+    counts = np.zeros(len(STEPS) + 1, dtype=int)
+    empty = 0
+    for rotor, spin, tangency, factor in cases:
+        buckling = float(critical_load(rotor.shear))
+        scale = fundamental_frequency(lumped(rotor, 0.0))
+        model = Model(rotor, "finite elements")
+        pieces = tongue_outlines(
+            Window(
+                model,
+                spin,
+                tangency,
+                factor * buckling,
+                LOWEST_EDGE * scale,
+                16 * scale,
+                buckling,
+            )
+        )
+        empty += not pieces
+        loads, edges, middles = [], [], []
+        for piece in pieces:
+            for share in (0.25, 0.5, 1.0):
+                row = int(np.abs(piece.pulsating_loads - share * buckling).argmin())
+                found = piece.left[row], piece.right[row]
+                if abs(piece.pulsating_loads[row] - share * buckling) > 0.01 * buckling or (
+                    found[1] - found[0] < 1e-3 * found[0]
+                ):
+                    continue
+                for side, edge in enumerate(found):
+                    if not piece.borders[side, row]:
+                        loads.append(share * buckling)
+                        edges.append(edge)
+                        middles.append((found[0] + found[1]) / 2)
+        if not edges:
+            continue
+        edge, middle = np.array(edges)[:, None], np.array(middles)[:, None]
+        outward = np.sign(edge - middle)
+        inside = np.where(
+            STEPS * edge < np.abs(edge - middle), edge - outward * STEPS * edge, middle
+        )
+        outside = edge + outward * STEPS * edge
+        accurate = finite_element(rotor, spin, tangency, modes=ACCURATE)
+        load = np.array(loads)[:, None]
+        grows = growth_rate(accurate, factor * buckling, load, np.array([inside, outside])) > GROWS
+        right = grows[0] & ~grows[1]
+        first = np.where(right.any(axis=1), right.argmax(axis=1), len(STEPS))
+        counts += np.bincount(first, minlength=len(STEPS) + 1)
+    return counts, empty
+
+
+def reduction(quick: bool) -> None:
+    """Print how far reduced elements are off over the ranges of the sliders."""
+    counts = (3, 4, 5, 6, 8)
+    for rigid in (True, False):
+        disk = "disks with Ī_P of at most 2 Ī_D" if rigid else "disks with any Ī_P to 6"
+        cases = random_cases(30 if quick else 300, 1, rigid)
+        print(f"\n{len(cases)} random rotors, {disk}: error of 2B, 1B, 1F, 2F\n")
+        print(f"{'coordinates':>11}{'median':>10}{'95 %':>10}{'largest':>10}")
+        for count, found in whirl_errors(cases, counts).items():
+            low, high = np.quantile(found, [0.5, 0.95])
+            print(f"{count:>11}{low:>10.1e}{high:>10.1e}{found.max():>10.1e}")
+        growths = growth_errors(cases[: 4 if quick else 20], 40)
+        print(
+            f"\nGrowth rates, {MODES} coordinates against {ACCURATE}, over the largest of each "
+            f"rotor: 95 % {np.quantile(growths, 0.95):.1e}, 99 % {np.quantile(growths, 0.99):.1e}, "
+            f"largest {growths.max():.1e}"
+        )
+        found, empty = edge_errors(cases[: 4 if quick else 20])
+        print(f"Edges as the dashboard draws them ({empty} windows have none):")
+        for step, number in zip([*(f"{one:g}" for one in STEPS), "more"], found, strict=True):
+            print(f"  within {step:<8}{number:>6}")
+
+
+def main(quick: bool = False) -> None:
+    """Print the tables."""
+    timings()
+    reduction(quick)
+
+
+def timings() -> None:
     """Print one table a speed."""
     rotor, scales = ShaftDisk.from_si(**TABLE_1_SI)
     buckling = float(critical_load(rotor.shear))

@@ -17,7 +17,9 @@ from rotorstab import (
     growth_rate,
     lumped,
     tongue_edges,
+    whirl_frequencies,
 )
+from rotorstab.finite_element import first_modes
 from rotorstab.outlines import unstable_outlines
 from rotorstab.stiffness import largest_exact_load
 from rotorstab.window import Model, Window, tongue_outlines
@@ -113,6 +115,19 @@ def test_edges_of_finite_elements_are_those_of_their_first_modes():
     assert piece.right[-1] == pytest.approx(exact.right[0, 0], rel=3e-3)
     # 2B+2F is there; the third mode has resonances of its own from 17 ω_n on
     assert 9 * W < max(one.right.max() for one in pieces) < 17 * W
+
+
+def test_finite_elements_have_no_edges_where_two_modes_do_not_hold_the_whirls():
+    fast = ShaftDisk(disk_mass=2.0, diametral_inertia=0.05, polar_inertia=4.0)
+    for rotor, spin, drawn in ((BASE_CASE, 4.0, True), (fast, 0.0, True), (fast, 4.0, False)):
+        model = Model(rotor, "finite elements")
+        scale = fundamental_frequency(model.system(0.0, 0.0))
+        window = Window(model, spin, 0.0, 0.5 * P, 2 * scale, 4 * scale, 0.5 * P)
+        assert bool(tongue_outlines(window)) == drawn
+        whirl = np.sort(np.abs(whirl_frequencies(model.system(spin, 0.0), 0.5 * P).real))[:4]
+        two = first_modes(model.system(spin, 0.0), 0.5 * P)
+        ours = np.sort(np.abs(whirl_frequencies(two, 0.5 * P).real))
+        assert (np.abs(ours / whirl - 1).max() < 1e-2) == drawn
 
 
 def test_damped_and_exact_models_have_edges_in_the_dashboard():

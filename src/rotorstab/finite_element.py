@@ -1,125 +1,24 @@
-"""The comparator: the same rotor with a distributed shaft, by finite elements.
-
-Two-node Timoshenko elements with interdependent interpolation: cubic deflection v,
-quadratic section rotation γ, shear strain −Φγ″, so nothing locks and Φ = 0 is the
-Euler–Bernoulli element.
-"""
+"""The comparator: the same rotor with a distributed shaft, by finite elements."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.linalg import eigh, eigvalsh
+from scipy.linalg import eigh
 
-from .checks import LARGEST, number, numbers
+from .checks import LARGEST, number, numbers, whole_number
+from .reduction import reduction_basis
 from .rotor import ShaftDisk
 from .system import System, fundamental_frequency
+from .timoshenko import rotor_matrices
 
 __all__ = ["finite_element", "first_modes"]
 
 Array = NDArray[np.float64]
 
 _MOST_ELEMENTS = 200
-_SNAPSHOTS = np.linspace(0.0, 1.0, 5)
-_SNAPSHOT_LOAD = 2.0  # ± this many buckling loads
-_SNAPSHOT_FREQUENCY = 0.45  # of the first frequency of the shaft clamped at both ends
-
-
-def _whole(name: str, value: int, low: int, high: int) -> int:
-    """Return `value` as a checked whole number."""
-    checked = number(name, value, low, high)
-    if not checked.is_integer():
-        raise ValueError(f"`{name}` must be a whole number in [{low}, {high}], got {value!r}")
-    return int(checked)
-
-
-def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array, Array]:
-    """Return ∫NvᵀNv, ∫NγᵀNγ, the elastic and −∫Nv′ᵀNv′ matrices (4, 4) of one element.
-
-    Each row of the shape arrays holds the coefficients of 1, ξ, ξ², ξ³ (ξ = x/h) of one
-    of the degrees of freedom v₁, γ₁, v₂, γ₂.
-    """
-    h = length
-    s = 12 * shear / h**2
-    deflection = np.array(
-        [
-            [1 + s, -s, -3, 2],
-            [0, h * (1 + s / 2), -h * (2 + s / 2), h],
-            [0, s, 3, -2],
-            [0, -h * s / 2, -h * (1 - s / 2), h],
-        ]
-    ) / (1 + s)
-    rotation = np.array(
-        [
-            [0, -6 / h, 6 / h, 0],
-            [1 + s, -(4 + s), 3, 0],
-            [0, 6 / h, -6 / h, 0],
-            [0, -(2 - s), 3, 0],
-        ]
-    ) / (1 + s)
-    derivative = np.diag([1.0, 2.0, 3.0], -1) / h
-    powers = np.arange(4)
-    moments = h / (powers[:, None] + powers + 1)
-
-    def product(shapes: Array) -> Array:
-        return np.asarray(shapes @ moments @ shapes.T)
-
-    curvature = rotation @ derivative
-    # Eq. (A2): ½EI γ′² + ½κGA (v′ − γ)² − ½p v′², with v′ − γ = −Φγ″
-    elastic = product(curvature) + shear * product(curvature @ derivative)
-    return product(deflection), product(rotation), elastic, -product(deflection @ derivative)
-
-
-@lru_cache(maxsize=16)
-def _shaft(shear: float, elements: int) -> tuple[Array, Array, Array, Array]:
-    """Return the assembled translational, rotational, elastic and load matrices (2n, 2n).
-
-    The clamped root is removed; the tip is last.
-    """
-    size = 2 * elements + 2
-    assembled = []
-    for block in _element_matrices(shear, 1 / elements):
-        matrix = np.zeros((size, size))
-        for first in range(0, 2 * elements, 2):
-            matrix[first : first + 4, first : first + 4] += block
-        matrix = matrix[2:, 2:]
-        matrix.flags.writeable = False
-        assembled.append(matrix)
-    translational, rotational, elastic, load = assembled
-    return translational, rotational, elastic, load
-
-
-@lru_cache(maxsize=16)
-def _tip_basis(shear: float, slenderness: float, elements: int, modes: int) -> Array:
-    """Return the real reduction basis (2n, modes): its first two coordinates are the tip.
-
-    Two static shapes for a unit tip deflection and slope, then the leading directions,
-    in bending energy, of what the inside of the shaft adds when the tip moves at other
-    loads and frequencies (proper orthogonal decomposition of the exact responses).
-    """
-    translational, rotational, elastic, load = _shaft(shear, elements)
-    mass = translational + slenderness**2 * rotational
-    inside, tip = slice(0, -2), slice(-2, None)
-    static = -np.linalg.solve(elastic[inside, inside], elastic[inside, tip])
-    basis = np.zeros((2 * elements, modes))
-    basis[inside, :2], basis[tip, :2] = static, np.eye(2)
-    if modes > 2:
-        buckling = np.pi**2 / 4 / (1 + shear * np.pi**2 / 4)
-        first = np.sqrt(eigvalsh(elastic[inside, inside], mass[inside, inside])[0])
-        added = []
-        for steady in _SNAPSHOT_LOAD * buckling * (2 * _SNAPSHOTS - 1):
-            for frequency in _SNAPSHOT_FREQUENCY * first * _SNAPSHOTS:
-                dynamic = elastic + steady * load - frequency**2 * mass
-                response = -np.linalg.solve(dynamic[inside, inside], dynamic[inside, tip])
-                added.append(response - static)
-        factor = np.linalg.cholesky(elastic[inside, inside]).T
-        directions = np.linalg.svd(factor @ np.hstack(added))[0][:, : modes - 2]
-        basis[inside, 2:] = np.linalg.solve(factor, directions)
-    basis.flags.writeable = False
-    return basis
 
 
 def finite_element(
@@ -167,28 +66,32 @@ def finite_element(
     elements the whirl frequencies 2B, 1B, 1F, 2F of the base case at Ω̄ 0 to 5 are within
     1.2e-5 of the mesh limit.
 
-    The reduction does not use free vibration modes, which know neither the load nor the
-    gyroscopic moment, and both change what the tip does. It keeps the tip itself, so the
-    disk's inertia, its gyroscopic moment and the follower term stay exact, and approximates
-    only the inside of the shaft. One basis serves every disk, spin speed, tangency and load.
-    `modes=2` is the lumped model with the shaft's consistent mass added. Largest relative
-    error against the full model for the base case and Table 1's rotor, of 2B, 1B, 1F, 2F
-    (Ω̄ 0 to 5, axial −p̄_cr to 0.9 p̄_cr, follower ±p̄_cr) and of the first four Bolotin
-    boundaries (Ω̄ 0 and 2, α_s = 0.5, β_d to 0.8):
+    The reduction keeps the tip itself, so the disk's inertia, its gyroscopic moment and the
+    follower term stay exact, and approximates only the inside of the shaft. 3 to 9 coordinates
+    are chosen for this rotor and load type: the leading directions of its own whirl modes 2B, 1B,
+    1F, 2F, right and left ones, at spin speeds 0 and 4 and at loads between ±0.95 p̄_cr. Every spin
+    speed and load has the same basis. `modes=2` is the lumped model with the shaft's consistent
+    mass added.
 
-    ======  ======  ===========
-    modes   whirl   boundaries
-    ======  ======  ===========
-    2       1.2e-1  6e-2
-    3       3e-2    2e-2
-    4       3e-4    1e-4
-    5       1e-4    5e-5
-    6       2e-5    1e-5
-    8       1e-6    5e-7
-    ======  ======  ===========
+    Errors of 2B, 1B, 1F, 2F against the full model, over random rotors, spin speeds and load
+    types from the ranges of the dashboard's sliders (Φ to 0.1, M̄_D 0.5 to 20, Ī_D 0.01 to 3, Ī_P
+    to 6, Ω̄ to 4, p̄ from −p̄_cr to 0.95 p̄_cr), relative to the frequency or to 0.1 ω_n if that is
+    larger (`benchmarks/bench_finite_element.py`):
 
-    Take 4 or more. The largest errors are those of a frequency near 0, close to buckling.
-    A stocky shaft (Φ 0.3, r 0.3) or none but the shaft's own mass needs 6 for 1e-3.
+    ======  ======  =======
+    modes   95 %    largest
+    ======  ======  =======
+    3       3e-3    1e-2
+    4       5e-4    1e-3
+    5       2e-4    6e-4
+    6       5e-5    3e-4
+    8       3e-6    5e-5
+    ======  ======  =======
+
+    Take 4 or more. The largest errors are those of light disks and of a frequency near 0, close
+    to buckling. The frequency of the third mode is right to some 1 % with 4 coordinates; what
+    higher modes take part in is not to be trusted. A stocky shaft (Φ 0.3, r 0.3) or none but the
+    shaft's own mass needs 6 for 1e-3.
 
     References
     ----------
@@ -205,19 +108,13 @@ def finite_element(
     tangency = number("tangency", tangency, 0.0, 1.0)
     external = number("external_damping", external_damping, 0.0, LARGEST)
     internal = number("internal_damping", internal_damping, 0.0, LARGEST)
-    elements = _whole("elements", elements, 1, _MOST_ELEMENTS)
-    translational, rotational, elastic, load = _shaft(rotor.shear, elements)
-    inertia = rotor.slenderness**2
-    mass = translational + inertia * rotational
-    mass[-2, -2] += rotor.disk_mass
-    mass[-1, -1] += rotor.diametral_inertia
-    gyroscopic = 2 * inertia * rotational
-    gyroscopic[-1, -1] += rotor.polar_inertia
+    elements = whole_number("elements", elements, 1, _MOST_ELEMENTS)
+    mass, gyroscopic, elastic, load = rotor_matrices(rotor, elements)
     geometric = load.copy()
     geometric[-2, -1] += tangency  # Eq. (A3)
     if modes is not None:
-        modes = _whole("modes", modes, 2, 2 * elements)
-        basis = _tip_basis(rotor.shear, rotor.slenderness, elements, modes)
+        modes = whole_number("modes", modes, 2, 2 * elements)
+        basis = reduction_basis(rotor, tangency, elements, modes)
         mass, gyroscopic, elastic, geometric = (
             basis.T @ matrix @ basis for matrix in (mass, gyroscopic, elastic, geometric)
         )
