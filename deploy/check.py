@@ -21,7 +21,7 @@ def main() -> int:
     """Ask, and tell what is wrong."""
     settings = read()
     address = EVERYWHERE.get(settings.address, settings.address)
-    path = sys.argv[1] if len(sys.argv) > 1 else "/health"
+    path = settings.prefix + (sys.argv[1] if len(sys.argv) > 1 else "/health")
     connection = http.client.HTTPConnection(address, settings.port, timeout=PATIENCE)
     try:
         connection.connect()

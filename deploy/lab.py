@@ -180,7 +180,8 @@ async def serve(settings: Settings, binary: str, folder: Path) -> int:
             for port in ports
         ]
     where = settings.origins[0]
-    LOG.info("serving %s://%s/", "https" if settings.tls_certificate else "http", where)
+    scheme = "https" if settings.tls_certificate or settings.outside_tls == "yes" else "http"
+    LOG.info("serving %s://%s%s/", scheme, where, settings.prefix)
     done, _ = await asyncio.wait([*others, front], return_when=asyncio.FIRST_COMPLETED)
     failed = not ending.is_set()
     ending.set()

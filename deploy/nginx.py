@@ -1,6 +1,7 @@
 """nginx in front of the workers: its configuration, and where to find it."""
 
 import os
+import re
 import secrets
 import shutil
 from collections.abc import Sequence
@@ -80,7 +81,9 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         pages={name: retry_seconds(*page) for name, page in PAGES.items()},
         headers=HEADERS,
         hsts=settings.hsts,
-        page_files=PAGE_FILES,
+        prefix=settings.prefix,
+        secure=bool(settings.tls_certificate) or settings.outside_tls == "yes",
+        page_files=re.escape(settings.prefix) + PAGE_FILES,
         generation=secrets.token_hex(4),
         longest_address=LONGEST_ADDRESS,
         header_buffer=HEADER_BUFFER,
@@ -91,7 +94,7 @@ def write(settings: Settings, workers: Sequence[str], folder: Path) -> Path:
     """Write the configuration and the pages that nginx shows by itself; return the former."""
     (folder / "_errors").mkdir(exist_ok=True)
     for name, page_of in PAGES.items():
-        page = error_page(*page_of)
+        page = error_page(*page_of, settings.prefix)
         (folder / "_errors" / f"{name}.html").write_text(page, encoding="utf-8")
     path = folder / "nginx.conf"
     path.write_text(render(settings, workers, folder), encoding="utf-8")

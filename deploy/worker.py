@@ -23,6 +23,7 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
         # without an address Tornado listens for IPv4 and IPv6
         **({} if settings.address == "::" else {"address": settings.address}),
         "port": settings.port,
+        **({"prefix": settings.prefix} if settings.prefix else {}),
         "setup": ROOT / "deploy" / "setup.py",
         "plugins": "deploy.server.routes",
         "websocket-max-message-size": LARGEST_MESSAGE,

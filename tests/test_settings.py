@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from deploy.lab import PATIENCE
 from deploy.server.secret import find_secret
 from deploy.server.settings import SettingError, Settings, read
 from tests.serving import START, free_port
@@ -187,3 +188,27 @@ def test_the_documentation_lists_every_setting_as_it_is():
         for one in fields(Settings)
     ]
     assert rows == declared
+
+
+FIXED_BY_COMPOSE = {"ADDRESS", "PORT", "ROTORSTAB_WORKER_PORT", "ROTORSTAB_SECRET_FILE"}
+
+
+def test_compose_passes_every_setting_that_the_documentation_lists():
+    compose = (ROOT / "compose.yaml").read_text(encoding="utf-8")
+    names = {one.metadata["name"] for one in fields(Settings)} - FIXED_BY_COMPOSE
+    assert {name for name in names if f"  {name}:" not in compose} == set()
+    documented = (ROOT / "docs" / "deploy.md").read_text(encoding="utf-8")
+    fixed = documented.partition("but for those that the\ncontainers fix:")[2].partition(".")[0]
+    assert {f"`{name}`" in fixed for name in FIXED_BY_COMPOSE} == {True}
+
+
+def test_a_worker_that_drains_as_long_as_it_may_is_not_killed():
+    longest = next(one for one in fields(Settings) if one.name == "drain").metadata["kind"].allowed
+    seconds = int(longest.rpartition(" ")[2])
+    unit = (ROOT / "deploy" / "rotorstab.service").read_text()
+    compose = (ROOT / "compose.yaml").read_text()
+    stops = [int(re.search(r"TimeoutStopSec=(\d+)", unit)[1])]
+    stops += [int(one) for one in re.findall(r"stop_grace_period: (\d+)s", compose)]
+    assert len(stops) == 3
+    # the workers, then nginx
+    assert min(stops) >= seconds + 2 * PATIENCE

@@ -29,7 +29,8 @@ def write_error(self, status_code, **kwargs):
         self.set_header("Retry-After", str(wait))
     self.set_header("Content-Type", "text/html; charset=UTF-8")
     self.set_header("Cache-Control", "no-store")
-    self.finish(error_page(status_code, draining.is_set()))
+    prefix = getattr(self.application, "prefix", "")
+    self.finish(error_page(status_code, draining.is_set(), prefix))
 
 
 @functools.wraps(connection_error)

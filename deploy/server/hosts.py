@@ -24,6 +24,7 @@ LONGEST_VALUE = 3_000  # characters of one value, %-escapes counted; no honest o
 LONGEST_NAME = 20  # characters of a key that are told
 FOR_MACHINES = ("/health", "/metrics")  # asked by whatever name a probe uses
 
+prefix = ""
 find_handler = Application.find_handler
 allowlist = bokeh_server.create_hosts_allowlist
 
@@ -90,14 +91,11 @@ def cut(request):
 def find_known(self, request, **kwargs):
     """Tornado's choice of a handler, once the request's host and length are sensible."""
     known = getattr(self, "websocket_origins", None)
-    if (
-        known is not None
-        and request.path not in FOR_MACHINES
-        and not is_known_host(request.host, known)
-    ):
+    path = request.path.removeprefix(prefix)
+    if known is not None and path not in FOR_MACHINES and not is_known_host(request.host, known):
         log.warning("refused a request to the host %.100r", request.host)
         return self.get_handler_delegate(request, Refused, {"status": 421})
-    if request.path.startswith("/static/") and not is_page_file(request.path):
+    if path.startswith("/static/") and not is_page_file(path):
         return self.get_handler_delegate(request, Refused, {"status": 404})
     if len(request.uri) > LONGEST_ADDRESS or len(request.path) > LONGEST_KEPT:
         return self.get_handler_delegate(request, Refused, {"status": 414})
@@ -116,5 +114,7 @@ def allowlist_with_numbers(hosts, port):
 
 def install(settings):
     """Check every request of this process's server."""
+    global prefix
+    prefix = settings.prefix
     replace(bokeh_server, "create_hosts_allowlist", allowlist_with_numbers)
     replace(Application, "find_handler", find_known)

@@ -69,8 +69,8 @@ def retry_seconds(status, restarting=False):
     return RESTART_SECONDS if restarting and status == 503 else WAITS.get(status)
 
 
-def error_page(status, restarting=False):
-    """The whole page of a status; 503 has two meanings."""
+def error_page(status, restarting=False, prefix=""):
+    """The whole page of a status; 503 has two meanings. The dashboard is below the prefix."""
     try:
         phrase = HTTPStatus(status).phrase
     except ValueError:
@@ -79,7 +79,7 @@ def error_page(status, restarting=False):
     title, words = RESTARTS if restarting else WORDS.get(status, (phrase, ()))
     wait = retry_seconds(status, restarting)
     again = f'<meta http-equiv="refresh" content="{wait}">' if wait else ""
-    link = '<p><a href="/app">Open the dashboard</a></p>' if status in LINKED else ""
+    link = f'<p><a href="{prefix}/app">Open the dashboard</a></p>' if status in LINKED else ""
     text = "".join(f"<p>{html.escape(one)}</p>" for one in words)
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8">{again}'

@@ -73,6 +73,12 @@ def _key(text: str) -> str:
     return text
 
 
+def _prefix(text: str) -> str:
+    if not re.fullmatch("((/[A-Za-z0-9_~-][A-Za-z0-9_.~-]*)*)/?", text):
+        raise ValueError
+    return text.rstrip("/")
+
+
 ADDRESS = Kind(lambda text: str(ip_address(text)), "an IP address")
 FILE = readable(Path.is_file, "a file that can be read")
 FOLDER = readable(Path.is_dir, "a folder that can be read")
@@ -80,6 +86,9 @@ KEY = Kind(_key, "at least 32 characters")
 PATH = Kind(str, "a path")
 ORIGINS = listed(HOST + "(:[0-9]{1,5})?", "host or host:port as browsers write it, comma-separated")
 UPSTREAM = listed("[A-Za-z0-9_.-]+:[0-9]{1,5}", "host:port, comma-separated")
+
+
+PREFIX = Kind(_prefix, "empty or a path such as /rotorstab")
 
 
 def setting(name: str, default: str, kind: Kind, meaning: str) -> Any:
@@ -104,6 +113,19 @@ class Settings:
         ORIGINS,
         "what browsers have in their address line; others get no connection. Without it:"
         " localhost, 127.0.0.1 and [::1] with PORT",
+    )
+    prefix: str = setting(
+        "ROTORSTAB_PREFIX",
+        "",
+        PREFIX,
+        "path below which everything is served, where a proxy of yours shares its name with other"
+        " services; the proxy passes paths on as they are",
+    )
+    outside_tls: str = setting(
+        "ROTORSTAB_OUTSIDE_TLS",
+        "no",
+        one_of("no", "yes"),
+        "whether a proxy of yours ends TLS in front of this server: cookies are for https:// only",
     )
     workers: int = setting(
         "ROTORSTAB_WORKERS", "1", whole(1, 64), "identical workers; they share one secret"
