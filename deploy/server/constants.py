@@ -9,7 +9,7 @@ HEADER_BUFFER = 131_072  # bytes; an address of that length in its request line
 
 PAGE_FILES = (
     r"/static/(js/bokeh(-[a-z]+)?\.min\.js"
-    r"|extensions/panel/(panel\.min\.js|css/[a-z_]+\.css"
+    r"|extensions/panel/(panel\.min\.js|css/[a-z_]+\.css|images/[a-z0-9_-]+\.(ico|png|svg|webmanifest)"
     r"|bundled/(datatabulator|reactiveesm|theme)/[A-Za-z0-9@^._/-]+\.(js|css)))"
 )
 """Decoded paths of the scripts and styles that the page uses; all else below `/static/` is 404."""
