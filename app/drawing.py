@@ -69,7 +69,10 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
     coloured = frozenset(
         layer.label for layer, one in named if layer.kind == "map" and "color_mapper" in one
     )
-    return Serializer().serialize(figure), coloured, kind.chart
+    text = Serializer().serialize(figure)
+    # the plot has joined the session that is being served, but serves all of them
+    plot.cleanup()
+    return text, coloured, kind.chart
 
 
 def draw(chart: Chart) -> Drawing:

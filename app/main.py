@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
 from contextlib import nullcontext
 from pathlib import Path
@@ -13,6 +14,11 @@ from markupsafe import Markup
 
 from rotorstab.charts import ROLES, Role
 
+if not __package__:  # loaded as a file: panel serve app/main.py, and panel serve app --dev
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+    __package__ = "app"
+
+from . import serving
 from .pages import PAGES
 from .pages.lessons import cards
 from .printing import FORMATS
@@ -149,6 +155,8 @@ def build() -> pn.Template:
 
 
 install()
+serving.install()
+serving.harden()
 tell()
 # Bokeh walks every model once a root and change; once at the end is enough
 with turn, pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():

@@ -15,6 +15,16 @@ from deploy.server.settings import SettingError, Settings, check_port, read, sto
 
 ROOT = Path(__file__).resolve().parents[1]
 LARGEST_MESSAGE = 262_144  # bytes
+# options of panel serve that a server for others must not have, and why
+REFUSED = {
+    "num-procs": "its processes go on serving after the first one was stopped; ROTORSTAB_WORKERS "
+    "and deploy/lab.py start workers",
+    "autoreload": "it watches the files of a developer",
+    "dev": "it watches the files of a developer",
+    "admin": "its pages have no login",
+    "rest-provider": "its addresses have no login",
+    "reuse-sessions": "users would share one page",
+}
 
 
 def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]:
@@ -32,6 +42,12 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
         "unused-session-lifetime": settings.unused_lifetime * 1000,
         "check-unused-sessions": min(5, settings.unused_lifetime) * 1000,
     }
+    for word in more:
+        given = word.partition("=")[0].removeprefix("--")
+        # panel takes an option that is cut short
+        for name, reason in REFUSED.items():
+            if word.startswith("--") and given and name.startswith(given):
+                raise SettingError(f"--{name} is not possible: {reason}")
     words = ["panel", "serve", app]
     for name, value in options.items():
         words += [f"--{name}", str(value)]
@@ -57,9 +73,13 @@ def main() -> None:
     app = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "app")
     if not Path(app).exists():
         stop(f"there is no app at {app}")
+    try:
+        arguments = command(settings, app, sys.argv[2:])
+    except SettingError as problem:
+        stop(problem)
     from panel.command import main as panel  # seconds: not before the settings are known good
 
-    sys.argv = command(settings, app, sys.argv[2:])
+    sys.argv = arguments
     panel()
 
 

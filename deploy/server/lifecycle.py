@@ -75,7 +75,8 @@ def run_until_shutdown(server, seconds):
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, told)
     where = server.address if server.address not in ("", "0.0.0.0", "::", None) else "localhost"
-    LOG.info("serving http://%s:%s/ (Ctrl-C or SIGTERM ends it)", where, server.port)
+    prefix = server._tornado.prefix
+    LOG.info("serving http://%s:%s%s/ (Ctrl-C or SIGTERM ends it)", where, server.port, prefix)
     server._loop.start()
     server.stop()
     printing = dashboard.module("printing")
