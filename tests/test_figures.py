@@ -21,7 +21,7 @@ from rotorstab import (
     lumped,
     whirl_frequencies,
 )
-from rotorstab.figures import CONCLUSIONS, FIGURES, table_1
+from rotorstab.figures import CONCLUSIONS, FIGURES, own_regions, table_1
 from rotorstab.floquet import growth_rate
 from rotorstab.resonance import resonances
 
@@ -286,3 +286,32 @@ def test_linear_coefficients_buckle_later_than_the_shaft():
     loads = np.linalg.eigvals(-np.linalg.solve(geometric, elastic))
     assert loads.min() == pytest.approx(2.3913, abs=5e-5)
     assert "1B reaches ω̄ = 0 at p̄ = 2.3913" in figure(8).reading[2].ours
+
+
+def test_every_spin_speed_has_its_panel_and_every_factor_its_lines():
+    speeds = tuple(np.linspace(0.0, 2.0, 7))
+    for maker in (FIGURES[5], FIGURES[8], FIGURES[9]):
+        panels = maker(spin_speeds=speeds).panels
+        assert [panel.letter for panel in panels] == list("abcdefg")
+    assert len(FIGURES[4](speeds_rpm=(0.0,) * 7).panels) == 7
+    assert len(own_regions(lumped(BASE_CASE, 0.0), BASE_CASE.shear, speeds, (0.0, 0.5)).panels) == 7
+    for maker in (FIGURES[6], FIGURES[7]):
+        assert len(maker(spin_speeds=speeds, static_factors=(0.2,)).panels) == 7
+        with pytest.raises(ValueError, match="`static_factors` must have 1 to 3 values, got 4"):
+            maker(static_factors=(0.0, 0.1, 0.2, 0.3))
+        with pytest.raises(ValueError, match="`spin_speeds` must have 1 to 26 values, got 0"):
+            maker(spin_speeds=())
+    with pytest.raises(ValueError, match="`speeds_rpm` must have 1 to 26 values, got 27"):
+        FIGURES[4](speeds_rpm=(0.0,) * 27)
+
+
+@pytest.mark.parametrize("last", [1.0, 2.0])
+def test_figure_5_compares_shafts_at_one_spin_speed(last):
+    figure = FIGURES[5](spin_speeds=(0.0, last))
+    note = figure.reading[0].note
+    twin = lumped(EULER_BERNOULLI_TWIN, last)
+    own = boundary_frequencies(twin, 0.5 * critical_load(0.0), 0.0)[0] / FREQUENCY
+    drawn = boundary_frequencies(lumped(BASE_CASE, last), 0.5 * BUCKLING, 0.0)[0] / FREQUENCY
+    side = "left" if own < drawn else "not left"
+    assert f"at Ω̄ = {last:g}, β_d = 0 would be {own:.4f}, {side} of Timoshenko's" in note
+    assert f"{drawn:.4f} (" in note

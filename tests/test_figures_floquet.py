@@ -249,3 +249,9 @@ def test_drawn_with_matplotlib_and_bokeh():
         np.testing.assert_array_equal(vertices, np.column_stack([region.x, region.y]))
     hv.render(paper_layout(drawn, "bokeh"), backend="bokeh")
     hv.Store.set_current_backend(before or "matplotlib")
+
+
+def test_figure_8_with_floquet_has_a_panel_for_each_of_seven_speeds():
+    figure = FIGURES[8](spin_speeds=tuple(np.linspace(0.0, 2.0, 7)), points=21, floquet=True)
+    assert len(figure.panels) == 7
+    assert all(f"Ω̄ = {speed:g}" in figure.reading[-1].ours for speed in np.linspace(0.0, 2.0, 7))

@@ -96,5 +96,6 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
     )
     title = chart.title
     if grid is not None and not unstable:
-        title += f". Pixels: growth rate σ̄ up to {grid.values.max():.3g}"
+        unit = f" {grid.unit}" if chart.units == "SI" else ""
+        title += f". Pixels: {grid.name} up to {grid.values.max():.3g}{unit}"
     return Figure(number=0, title=title, caption="", parameters=dict(parameters), panels=(panel,))

@@ -8,7 +8,7 @@ from ..critical import beck_load, critical_load
 from ..rotor import BASE_CASE, ShaftDisk
 from ..stiffness import exact_stiffness, linear_stiffness
 from .readings import read_figure_2, read_figure_3
-from .structure import Array, Figure, Panel, Series, parameters
+from .structure import Array, Figure, Panel, Series, lettered, parameters
 
 __all__ = ["figure_2", "figure_3"]
 
@@ -24,7 +24,7 @@ def _panels(
     elastic, geometric = linear_stiffness(shear, tangency)
     linear = elastic + loads[:, None, None] * geometric
     panels = []
-    for letter, (title, i, j) in zip("abcd", entries, strict=False):
+    for letter, (title, i, j) in lettered("entries", entries):
         pair = np.stack([exact[:, i, j], linear[:, i, j]])
         margin = 0.06 * float(np.ptp(pair))
         panels.append(

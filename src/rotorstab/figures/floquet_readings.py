@@ -245,7 +245,7 @@ def read_floquet_8(
         system = lumped(rotor, spin, tangency)
         return Variant(kinds[tangency > 0], "solid", system, factor, reference)
 
-    pairs = list(zip(panels, spin_speeds, strict=False))
+    pairs = list(zip(panels, spin_speeds, strict=True))
     axial = [[variant(spin, 0.0, factor) for factor in (0.0, 0.5)] for spin in spin_speeds]
     follower = [variant(spin, 1.0, 0.5) for spin in spin_speeds]
     roots = [[place(one) / _scale(one) for one in row] for row in axial]
@@ -258,8 +258,7 @@ def read_floquet_8(
             f"The tongue {PRINCIPAL} hangs from the sum of both: θ/ω_n from p̄ = 0 to 0.5 p̄_cr "
             f"{_by_panel(panels, roots)}. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
             + "; ".join(
-                f"{panel.title}: {_table(row[1])}"
-                for panel, row in zip(panels, axial, strict=False)
+                f"{panel.title}: {_table(row[1])}" for panel, row in zip(panels, axial, strict=True)
             )
             + ".",
             uphold(*(row[1] < row[0] for row in roots)),
@@ -271,8 +270,7 @@ def read_floquet_8(
             f"Spinning, 1F and 1B grow together at {listed([growth(one) for one in spinning])} "
             "times β_d. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
             + "; ".join(
-                f"{panel.title}: {_table(one)}"
-                for panel, one in zip(panels, follower, strict=False)
+                f"{panel.title}: {_table(one)}" for panel, one in zip(panels, follower, strict=True)
             )
             + ".",
             uphold(*(growth(one) > 0 for one in spinning)),

@@ -14,15 +14,22 @@ from ..system import System, lumped
 from ..whirl import load_frequency_curves, whirl_frequencies
 from .floquet_readings import read_floquet_8
 from .readings import read_figure_8
-from .structure import Array, Figure, Mark, Panel, Region, Series, Style, parameters
+from .structure import (
+    LOAD_KINDS,
+    Array,
+    Figure,
+    Mark,
+    Panel,
+    Region,
+    Series,
+    Style,
+    lettered,
+    parameters,
+)
 
 __all__ = ["figure_8"]
 
 _REAL = 1e-9  # |Im ω|/|ω| below which a frequency is real
-_KINDS: tuple[tuple[str, float, Style], ...] = (
-    ("axial force", 0.0, "solid"),
-    ("follower force", 1.0, "dashed"),
-)
 _COMPLEX = "complex pair"
 _STRIP = 0.065  # of the axis: height of the strip of what is unstable without pulsation
 _ROOM = (0.15, 0.98)  # of p̄_cr: where pairs are marked
@@ -88,7 +95,8 @@ def _pairs(
     places = np.linspace(*_ROOM, len(systems) * max(map(len, wanted))) * buckling
     series, marks = [], []
     for index, ((group, style, system), names) in enumerate(zip(systems, wanted, strict=True)):
-        for load, name in zip(places[index :: len(systems)].tolist(), names, strict=False):
+        own_places = places[index :: len(systems)][: len(names)].tolist()
+        for load, name in zip(own_places, names, strict=True):
             table = resonances(system, load, buckling)
             row = next((one for one in table.tongues if one.name == name), None)
             if row is None:
@@ -138,7 +146,7 @@ def figure_8(
     Parameters
     ----------
     rotor : ShaftDisk
-    spin_speeds : sequence of float
+    spin_speeds : sequence of up to 26 floats
         Ω̄, a panel each.
     largest_load : float
         p̄ runs from 0 to this [EI/L²].
@@ -157,9 +165,9 @@ def figure_8(
     loads = np.linspace(0.0, largest_load, points)
     panels = []
     limits: dict[str, float] = {"critical_load": float(critical_load(rotor.shear))}
-    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+    for letter, spin in lettered("spin_speeds", spin_speeds):
         series: list[Series] = []
-        systems = [(group, style, lumped(rotor, spin, mu)) for group, mu, style in _KINDS]
+        systems = [(group, style, lumped(rotor, spin, mu)) for group, style, mu in LOAD_KINDS]
         for group, style, system in systems:
             series += _curves(group, style, system, loads)
             if system.tangency:

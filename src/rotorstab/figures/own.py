@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from string import ascii_lowercase
 
 from ..checks import number
 from ..critical import critical_load
 from ..system import System, fundamental_frequency
 from .region_panels import Variant, region_panel
-from .structure import Figure, Style, Value
+from .structure import Figure, Value, lettered, styled
 
 __all__ = ["own_regions"]
-
-_STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot")
 
 
 def own_regions(
@@ -32,7 +29,7 @@ def own_regions(
         Undamped; its own spin speed is not used.
     shear : float
         Φ, for the static buckling load that the load factors are measured by.
-    spin_speeds : sequence of 1 to 6 floats
+    spin_speeds : sequence of 1 to 26 floats
         Ω̄, a panel each.
     static_factors : sequence of 1 to 3 floats
         α_s, a line style each.
@@ -51,8 +48,10 @@ def own_regions(
     ValueError
         If an argument is out of range or the system is damped.
     """
-    number("number of spin speeds", len(spin_speeds), 1, 6)
-    number("number of static factors", len(static_factors), 1, 3)
+    panels_of, lines = (
+        lettered("spin_speeds", spin_speeds),
+        styled("static_factors", static_factors),
+    )
     number("largest_factor", largest_factor, 0.0, open_low=True)
     if system.is_damped:
         raise ValueError("`system` must be undamped for Bolotin regions, got a damped one")
@@ -65,10 +64,10 @@ def own_regions(
         )
     frequency = fundamental_frequency(system)
     panels = []
-    for letter, spin in zip(ascii_lowercase, spin_speeds, strict=False):
+    for letter, spin in panels_of:
         variants = [
             Variant(f"α_s = {factor:g}", style, system.at_speed(spin), factor, reference)
-            for factor, style in zip(static_factors, _STYLES, strict=False)
+            for style, factor in lines
         ]
         panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
     return Figure(

@@ -159,6 +159,7 @@ def read_figure_8(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
                 _trend(backward, buckling, size=False) < 0,
             ),
             f"At Ω̄ = 1, 1F goes from {slow_forward[0]:.4f} to {slow_forward[1]:.4f}. A fall at "
-            "Ω̄ = 2 is what the text's own reading of Fig. 7(c), “shifted inwardly”, needs.",
+            f"{spinning.title} is what the text's own reading of Fig. 7(c), “shifted inwardly”, "
+            "needs.",
         ),
     )

@@ -77,8 +77,10 @@ def _widths(panel: Panel, group: str, factor_index: int) -> float:
     return float(right - left)
 
 
-def read_figure_5(panels: Panels, rotor: ShaftDisk, static_factor: float) -> tuple[Statement, ...]:
-    """Return the reading of Fig. 5."""
+def read_figure_5(
+    panels: Panels, rotor: ShaftDisk, static_factor: float, last_speed: float
+) -> tuple[Statement, ...]:
+    """Return the reading of Fig. 5, whose last panel is of the spin speed `last_speed`."""
     facts = []
     for panel in panels:
         timoshenko, euler = (boundaries(panel, group) for group in groups(panel))
@@ -86,7 +88,8 @@ def read_figure_5(panels: Panels, rotor: ShaftDisk, static_factor: float) -> tup
     twin = replace(rotor, shear=0.0)
     scale = fundamental_frequency(lumped(rotor, 0.0))
     own = float(
-        boundary_frequencies(lumped(twin, 2.0), static_factor * critical_load(0.0), 0.0)[0] / scale
+        boundary_frequencies(lumped(twin, last_speed), static_factor * critical_load(0.0), 0.0)[0]
+        / scale
     )
     first, shared = (float(boundaries(panels[-1], group)[0, 0]) for group in groups(panels[-1]))
     widths = [_widths(panel, "Timoshenko", 10) for panel in panels]
@@ -104,7 +107,8 @@ def read_figure_5(panels: Panels, rotor: ShaftDisk, static_factor: float) -> tup
             f"{sum(facts)} of {len(facts)} panels: every Euler–Bernoulli boundary lies right.",
             judge(*facts),
             "With the Timoshenko shaft's p̄_cr for both. With its own p̄_cr the left boundary "
-            f"at Ω̄ = 2, β_d = 0 would be {own:.4f}, left of Timoshenko's {first:.4f} "
+            f"at Ω̄ = {last_speed:g}, β_d = 0 would be {own:.4f}, "
+            f"{say(own < first, 'left', 'not left')} of Timoshenko's {first:.4f} "
             f"(drawn: {shared:.4f}).",
         ),
         Statement(

@@ -25,11 +25,10 @@ from .region_readings import (
     read_figure_7,
     read_figure_9,
 )
-from .structure import Figure, Statement, Style, parameters
+from .structure import LOAD_KINDS, Figure, Statement, Style, lettered, parameters, styled
 
 __all__ = ["figure_4", "figure_5", "figure_6", "figure_7", "figure_9"]
 
-_STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot")
 _SPINS = (0.0, 1.0, 2.0)
 _FACTORS = (0.0, 0.2, 0.5)
 _FLOQUET = (
@@ -62,7 +61,7 @@ def figure_4(
     ----------
     static_factor : float
         α_s.
-    speeds_rpm : sequence of float
+    speeds_rpm : sequence of up to 26 floats
         Ω [rev/min], a panel each.
     elements, modes : int
         Of `finite_element`; 6 modes are within 1e-5 of all.
@@ -80,7 +79,7 @@ def figure_4(
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     panels, drawn = [], []
-    for letter, rpm in zip("abcdef", speeds_rpm, strict=False):
+    for letter, rpm in lettered("speeds_rpm", speeds_rpm):
         spin = rpm * 2 * math.pi / 60 / scales.frequency
         comparator = finite_element(rotor, spin, elements=elements, modes=modes)
         variants = [
@@ -130,7 +129,7 @@ def figure_5(
     ----------
     rotor : ShaftDisk
         The Timoshenko rotor.
-    spin_speeds : sequence of float
+    spin_speeds : sequence of up to 26 floats
         Ω̄, a panel each.
     static_factor : float
         α_s.
@@ -149,13 +148,15 @@ def figure_5(
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     twin = replace(rotor, shear=0.0)
+    shafts: tuple[tuple[str, Style, ShaftDisk], ...] = (
+        ("Timoshenko", "solid", rotor),
+        ("Euler–Bernoulli", "dashed", twin),
+    )
     panels, drawn = [], []
-    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+    for letter, spin in lettered("spin_speeds", spin_speeds):
         variants = [
             Variant(group, style, lumped(shaft, spin), static_factor, reference)
-            for group, style, shaft in zip(
-                ("Timoshenko", "Euler–Bernoulli"), _STYLES, (rotor, twin), strict=False
-            )
+            for group, style, shaft in shafts
         ]
         drawn.append(variants)
         panels.append(
@@ -174,7 +175,7 @@ def figure_5(
             fundamental_frequency=frequency,
         ),
         panels=tuple(panels),
-        reading=read_figure_5(tuple(panels), rotor, static_factor),
+        reading=read_figure_5(tuple(panels), rotor, static_factor, spin_speeds[-1]),
     )
     return _with_floquet(figure, read_floquet_5(figure.panels, drawn)) if floquet else figure
 
@@ -192,11 +193,11 @@ def _static_factor_figure(
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     panels, drawn = [], []
-    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+    for letter, spin in lettered("spin_speeds", spin_speeds):
         system = lumped(rotor, spin, tangency)
         variants = [
             Variant(f"α_s = {factor:g}", style, system, factor, reference)
-            for factor, style in zip(static_factors, _STYLES, strict=False)
+            for style, factor in styled("static_factors", static_factors)
         ]
         drawn.append(variants)
         panels.append(
@@ -205,7 +206,7 @@ def _static_factor_figure(
     kind = "follower" if tangency else "axial"
     lines = "; ".join(
         f"{style.replace('dashdot', 'dash-dot')}: α_s = {factor:g}"
-        for factor, style in zip(static_factors, _STYLES, strict=False)
+        for style, factor in styled("static_factors", static_factors)
     )
     figure = Figure(
         number=number,
@@ -238,7 +239,7 @@ def figure_6(
     Parameters
     ----------
     rotor : ShaftDisk
-    spin_speeds : sequence of float
+    spin_speeds : sequence of up to 26 floats
         Ω̄, a panel each.
     static_factors : sequence of up to three floats
         α_s, a line style each.
@@ -284,7 +285,7 @@ def figure_9(
     Parameters
     ----------
     rotor : ShaftDisk
-    spin_speeds : sequence of float
+    spin_speeds : sequence of up to 26 floats
         Ω̄, a panel each.
     static_factor : float
         α_s.
@@ -300,12 +301,10 @@ def figure_9(
     reference = float(critical_load(rotor.shear))
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     panels, drawn = [], []
-    for letter, spin in zip("abcdef", spin_speeds, strict=False):
+    for letter, spin in lettered("spin_speeds", spin_speeds):
         variants = [
             Variant(group, style, lumped(rotor, spin, tangency), static_factor, reference)
-            for group, style, tangency in zip(
-                ("axial force", "follower force"), _STYLES, (0.0, 1.0), strict=False
-            )
+            for group, style, tangency in LOAD_KINDS
         ]
         drawn.append(variants)
         panels.append(

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Literal
+from string import ascii_lowercase
+from typing import Literal, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..rotor import ShaftDisk
 
 __all__ = [
+    "LOAD_KINDS",
     "Figure",
     "Grid",
     "Mark",
@@ -22,11 +24,20 @@ __all__ = [
     "Style",
     "Value",
     "Verdict",
+    "lettered",
     "parameters",
+    "styled",
 ]
 
 Array = NDArray[np.float64]
 Style = Literal["solid", "dashed", "dashdot", "dotted"]
+T = TypeVar("T")
+
+LOAD_KINDS: tuple[tuple[str, Style, float], ...] = (
+    ("axial force", "solid", 0.0),
+    ("follower force", "dashed", 1.0),
+)
+"""Both kinds of load: name, line style and tangency μ."""
 Verdict = Literal[
     "agree",
     "differ",
@@ -242,3 +253,20 @@ class Figure:
 def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
     """Return a rotor's fields and other plain values as one mapping."""
     return {**asdict(rotor), **others}
+
+
+def _paired(name: str, keys: Sequence[str], values: Sequence[T]) -> list[tuple[str, T]]:
+    """Return each value with a key of its own; ValueError where there are too many or none."""
+    if not 1 <= len(values) <= len(keys):
+        raise ValueError(f"`{name}` must have 1 to {len(keys)} values, got {len(values)}")
+    return list(zip(keys[: len(values)], values, strict=True))
+
+
+def lettered(name: str, values: Sequence[T]) -> list[tuple[str, T]]:
+    """Return the values of an argument, 1 to 26, with the letters of their panels."""
+    return _paired(name, ascii_lowercase, values)
+
+
+def styled(name: str, values: Sequence[T]) -> list[tuple[Style, T]]:
+    """Return the values of an argument, 1 to 3, with their line styles."""
+    return cast("list[tuple[Style, T]]", _paired(name, ("solid", "dashed", "dashdot"), values))
