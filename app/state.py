@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any
 
+import numpy as np
 import param
 
 from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
@@ -22,6 +23,8 @@ __all__ = ["PRESETS", "SI_INPUTS", "SYMBOLS", "State"]
 
 _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 _THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
+_SHORTEST_RANGE = 0.4  # of θ/ωₙ
+_ROUNDING = 1e-9
 _MATERIAL_INPUTS = ("youngs_modulus", "shear_modulus", "density", "shear_coefficient")
 
 
@@ -123,14 +126,16 @@ class State(Inputs):
             if problem:
                 errors[_short(name)] = problem
             else:
-                number = isinstance(value, int | float) and not isinstance(value, bool)
-                good[name] = float(value) if number else value
+                good[name] = _plain(name, value)
         low = good.get("lowest_frequency", self.lowest_frequency)
         high = good.get("highest_frequency", self.highest_frequency)
-        if high - low < 0.4:
+        # 0.6 − 0.2 is less than 0.4 by rounding
+        if high - low < _SHORTEST_RANGE - _ROUNDING:
             for name in ("lowest_frequency", "highest_frequency"):
                 if good.pop(name, None) is not None:
-                    errors[name] = "the highest θ/ωₙ must exceed the lowest by 0.4 or more"
+                    errors[name] = (
+                        f"the highest θ/ωₙ must exceed the lowest by {_SHORTEST_RANGE:g} or more"
+                    )
         if "tangency" in good:
             # the slider means a partly follower load
             good.setdefault("load_type", "partly")
@@ -154,23 +159,35 @@ def _short(name: Any) -> str:
     return name[:40] if isinstance(name, str) else type(name).__name__
 
 
+def _plain(name: str, value: Any) -> Any:
+    """Return a valid value as Python's bool, float or str; rounding past a bound is cut off."""
+    parameter = State.param[name]
+    if isinstance(parameter, param.Boolean):
+        return bool(value)
+    if isinstance(parameter, param.Selector):
+        return value
+    low, high = parameter.bounds
+    return min(max(float(value), low), high)
+
+
 def _problem(name: Any, value: Any) -> str:
     """Say what is wrong with a value, or nothing."""
     if not isinstance(name, str) or name not in _NAMES:
         return "unknown parameter"
     parameter = State.param[name]
     if isinstance(parameter, param.Boolean):
-        return "" if isinstance(value, bool) else "must be on or off"
+        return "" if isinstance(value, bool | np.bool_) else "must be on or off"
     if isinstance(parameter, param.Selector):
         if isinstance(value, str) and value in parameter.objects:
             return ""
         return "must be one of " + ", ".join(parameter.objects)
     low, high = parameter.bounds
     allowed = f"must be a number from {low:g} to {high:g}"
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         return allowed
     # the comparison is exact for integers of any length and false for nan
-    return "" if low <= value <= high else allowed
+    slack = _ROUNDING * (high - low)
+    return "" if low - slack <= value <= high + slack else allowed
 
 
 def _values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import rotorstab as rs
-from rotorstab.bolotin import _lumped_squares, _matrix_squares, _mean_and_half
+from rotorstab.bolotin import _lumped_squares, _matrix_squares, _mean_and_half, bolotin_mask
 from rotorstab.stiffness import largest_exact_load
 from tests.strategies import between, rotors, spin_speeds, tangencies
 
@@ -421,3 +421,14 @@ def test_bad_numbers_are_refused(bad):
 def test_bad_arguments_are_named(call, message):
     with pytest.raises(ValueError, match=message):
         call(rs.lumped(BASE, 1.0))
+
+
+def test_the_mask_wants_rows_and_columns():
+    system = rs.lumped(rs.BASE_CASE, 2.0)
+    with pytest.raises(ValueError, match="`pulsating_loads` must be one-dimensional"):
+        bolotin_mask(system, 0.5, 1.0, [1.0, 2.0])
+    with pytest.raises(ValueError, match="`excitation_frequencies` must be one-dimensional"):
+        bolotin_mask(system, 0.5, [1.0], 2.0)
+    with pytest.raises(ValueError, match="`largest_pulsating_load` must be a single number"):
+        rs.bolotin_chart(system, 0.5, [1.0, 2.0])
+    assert rs.bolotin_chart(system, 0, np.int64(1)).names == ("1B", "1F", "2B", "2F")

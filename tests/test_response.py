@@ -13,6 +13,7 @@ from rotorstab import (
     critical_load,
     exact_stiffness,
     finite_element,
+    fundamental_frequency,
     growth_rate,
     initial_conditions,
     lumped,
@@ -255,3 +256,50 @@ def test_steps_are_made_divisible(count):
     better = divisible(count)
     assert count <= better <= count * 17 / 16
     assert better % (1 << max(0, count.bit_length() - 5)) == 0
+
+
+@pytest.mark.parametrize("kind", ["mode:1F", "mode:2B", "knock", "noise"])
+@pytest.mark.parametrize(("modes", "tip"), [(4, (0, 1)), (None, (-2, -1))])
+def test_a_start_is_of_the_tip_wherever_its_coordinates_are(kind, modes, tip):
+    system = finite_element(ROTOR, 1.0, elements=6, modes=modes)
+    start = initial_conditions(system, 0.5, kind, seed=2, tip=tip)
+    displacement, speed = start[tip[0] % system.size], start[system.size + tip[0] % system.size]
+    if kind.startswith("mode"):
+        assert displacement == pytest.approx(1.0)
+    elif kind == "knock":
+        assert speed == pytest.approx(fundamental_frequency(system))
+        assert not start[: system.size].any()
+    else:
+        assert 0 < abs(displacement) < 3
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"periods": 2.7}, r"`periods` must be a whole number in \[1, inf\), got 2.7"),
+        ({"samples_per_period": 8.5}, r"`samples_per_period` must be a whole number .*got 8.5"),
+        ({"most_steps": 1e3 + 0.5}, r"`most_steps` must be a whole number .*got 1000.5"),
+        ({"tip": (5, 7)}, r"`tip` must be in \[-2, 1\], got 5"),
+        ({"tip": (0, 0.5)}, r"`tip` must be a whole number in \[-2, 1\], got 0.5"),
+        ({"tip": (0,)}, r"`tip` must hold two coordinates, got \(0,\)"),
+    ],
+)
+def test_what_is_no_whole_number_or_no_coordinate_is_refused(change, message):
+    system = lumped(ROTOR, 1.0)
+    start = initial_conditions(system, 0.5)
+    with pytest.raises(ValueError, match=message):
+        time_response(system, 0.5, 0.1, 2.0, start, **change)
+
+
+def test_seed_points_and_the_coordinate_of_a_start_are_whole_numbers_too():
+    system = lumped(ROTOR, 1.0)
+    with pytest.raises(ValueError, match="`seed` must be a whole number"):
+        initial_conditions(system, 0.5, "noise", seed=1.5)
+    with pytest.raises(ValueError, match=r"`tip` must be in \[-2, 1\], got 2"):
+        initial_conditions(system, 0.5, "knock", tip=(2, 1))
+    with pytest.raises(ValueError, match="`points` must be a whole number"):
+        shaft_shape(ROTOR, 0.5, (1.0, 0.0), points=7.5)
+    start = initial_conditions(system, 0.5, "noise", seed=np.int64(3))
+    assert (start == initial_conditions(system, 0.5, "noise", seed=3)).all()
+    motion = time_response(system, 0.5, 0.1, 2.0, start, np.int32(2), 8.0)
+    assert motion.time.shape == (17,)

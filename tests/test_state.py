@@ -304,3 +304,30 @@ def test_what_is_in_range_is_taken_as_it_is(data):
     assert state.change(values) == {}
     assert state.inputs().items() >= values.items()
     assert State(**state.inputs()).inputs() == state.inputs()
+
+
+@pytest.mark.parametrize("ends", [(0.2, 0.6), (1.0, 1.4), (15.6, 16.0), (0.1, 0.5)])
+def test_a_range_of_just_0_4_is_taken(ends):
+    state = State()
+    low, high = ends
+    assert state.change({"lowest_frequency": low, "highest_frequency": high}) == {}
+    assert state.change({"highest_frequency": high - 0.001}) != {}
+
+
+def test_numpy_s_numbers_are_numbers_and_rounding_past_a_bound_is_cut_off():
+    state = State()
+    values = {
+        "spin_speed": np.int64(2),
+        "shear": np.float32(0.05),
+        "show_bolotin": np.True_,
+        "external_damping": 0.2 + 1e-12,
+    }
+    assert state.change(values) == {}
+    assert type(state.spin_speed) is float
+    assert state.show_bolotin is True
+    assert state.external_damping == 0.2
+    assert set(state.change({"spin_speed": np.True_, "show_growth": np.int64(1)})) == {
+        "spin_speed",
+        "show_growth",
+    }
+    assert "external_damping" in state.change({"external_damping": 0.2001})

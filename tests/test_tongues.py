@@ -81,7 +81,7 @@ def test_three_harmonics_and_period_t_agree_with_floquet():
 
 def test_hill_bad_input():
     system = lumped(BASE_CASE, 0.0)
-    with pytest.raises(ValueError, match=r"`harmonics` must be an integer in \[1, 20\], got 0"):
+    with pytest.raises(ValueError, match=r"`harmonics` must be in \[1, 20\], got 0"):
         hill_boundary_frequencies(system, 0.0, 0.1, 0)
     with pytest.raises(ValueError, match="`period` must be one of"):
         hill_boundary_frequencies(system, 0.0, 0.1, 1, "3T")

@@ -18,8 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import number, numbers, whole_number
-from .quartic import quadratic_roots, quartic_roots
+from .checks import number, numbers, series, whole_number
+from .quartic import is_real, quadratic_roots, quartic_roots
 from .system import System
 from .whirl import (
     eigenvalues,
@@ -43,7 +43,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 AnyArray = NDArray[np.float64] | NDArray[np.complex128]
 
-_REAL = 1e-7  # |Im λ|/|λ| below which a boundary counts as real: a double root's own error
 _GRADING = np.linspace(0.0, 1.0, 17)[1:-1] ** 2
 _PARTS = np.linspace(0.0, 1.0, 257)
 
@@ -157,10 +156,9 @@ def _squares(system: System, static_load: Array, pulsating_load: Array) -> Compl
 
 def _real(squares: Complex) -> Array:
     """Return the real λ, NaN for those that are not."""
-    real, imaginary = squares.real, squares.imag
-    if not imaginary.any():
-        return real
-    return np.where(np.abs(imaginary) <= _REAL * np.abs(real), real, np.nan)
+    if not squares.imag.any():
+        return squares.real
+    return np.where(is_real(squares), squares.real, np.nan)
 
 
 def _frequency(values: Array) -> Array:
@@ -296,12 +294,13 @@ def bolotin_mask(
     if system.is_damped:
         raise ValueError("`system` must be undamped for the sign of Eq. (24), got a damped one")
     static = np.asarray(number("static_load", static_load))
-    loads = numbers("pulsating_loads", pulsating_loads)
-    level = (numbers("excitation_frequencies", excitation_frequencies, 0.0) / 2) ** 2
+    loads = series("pulsating_loads", pulsating_loads)
+    level = (series("excitation_frequencies", excitation_frequencies, 0.0) / 2) ** 2
     squares = _squares(system, static, loads)
-    real = np.abs(squares.imag) <= _REAL * np.abs(squares)
     # P changes sign at every real root, and is positive below the first
-    passed = (np.where(real, squares.real, np.inf)[:, None, :] < level[:, None]).sum(axis=-1)
+    passed = (np.where(is_real(squares), squares.real, np.inf)[:, None, :] < level[:, None]).sum(
+        axis=-1
+    )
     return np.asarray(passed % 2 == 1)
 
 

@@ -91,20 +91,21 @@ def number(
     return float(array)
 
 
-def series(name: str, value: ArrayLike) -> NDArray[np.float64]:
+def series(name: str, value: ArrayLike, low: float = -math.inf) -> NDArray[np.float64]:
     """Return `value` as a checked one-dimensional array, which may be empty."""
-    array = numbers(name, value)
+    array = numbers(name, value, low)
     if array.ndim != 1:
         raise ValueError(f"`{name}` must be one-dimensional, got an array of shape {array.shape}")
     return array
 
 
-def whole_number(name: str, value: int, low: int, high: int) -> int:
-    """Return `value` as a checked integer."""
+def whole_number(name: str, value: int, low: int, high: float = math.inf) -> int:
+    """Return `value` as a checked integer; a whole float and NumPy's integers are fine too."""
     checked = number(name, value, low, high)
-    if checked != int(checked):
-        raise ValueError(f"`{name}` must be a whole number in [{low}, {high}], got {checked:g}")
-    return int(checked)
+    if not checked.is_integer():
+        interval = _interval(low, high, False, False)
+        raise ValueError(f"`{name}` must be a whole number in {interval}, got {checked:g}")
+    return int(value)
 
 
 def choice(name: str, value: object, allowed: tuple[str, ...]) -> str:

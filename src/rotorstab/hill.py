@@ -7,14 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import choice, numbers
+from .checks import choice, numbers, whole_number
+from .quartic import is_real
 from .system import System
 
 __all__ = ["hill_boundary_frequencies"]
 
 Array = NDArray[np.float64]
-
-_REAL = 1e-7  # |Im| / |root| below which a root counts as real
 
 
 def hill_boundary_frequencies(
@@ -68,8 +67,7 @@ def hill_boundary_frequencies(
     [1.73774, 2.23094]
     """
     kind = choice("period", period, ("2T", "T"))
-    if isinstance(harmonics, bool) or not isinstance(harmonics, int) or not 1 <= harmonics <= 20:
-        raise ValueError(f"`harmonics` must be an integer in [1, 20], got {harmonics!r}")
+    harmonics = whole_number("harmonics", harmonics, 1, 20)
     static, pulsating, _ = np.broadcast_arrays(
         numbers("static_load", static_load),
         numbers("pulsating_load", pulsating_load),
@@ -118,6 +116,6 @@ def _positive_roots(
     inverse = np.linalg.eigvals(companion)
     largest = np.abs(inverse).max(axis=-1, keepdims=True)
     # the mean term of period T has no inertia here: its roots are 0 to rounding
-    real = (np.abs(inverse.imag) <= _REAL * np.abs(inverse)) & (inverse.real > 1e-6 * largest)
+    real = is_real(inverse) & (inverse.real > 1e-6 * largest)
     theta = np.where(real, scale / np.where(real, inverse.real, 1.0), np.nan)
     return np.asarray(np.sort(theta, axis=-1)[..., :count])

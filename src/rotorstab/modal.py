@@ -13,13 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .checks import numbers
+from .quartic import is_real
 from .system import System
 
 __all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
 
 _FRACTIONS = (1.0, 0.9, 0.7, 0.4, 0.0)  # of the static load, tried in turn
 _GOOD_CONDITION = 1e3
-_REAL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -112,8 +112,7 @@ def _is_good(basis: ModalBasis, damped: bool) -> NDArray[np.bool_]:
     )
     good = norms < _GOOD_CONDITION * basis.vectors.shape[-1]
     if not damped:
-        largest = np.abs(basis.frequencies).max(axis=-1)
-        good &= (np.abs(np.imag(basis.frequencies)) <= _REAL * largest[..., None]).all(axis=-1)
+        good &= is_real(basis.frequencies).all(axis=-1)
     return np.asarray(good)
 
 
@@ -134,6 +133,11 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
     -------
     ModalBasis
         Real throughout if the system is undamped.
+
+    Raises
+    ------
+    ValueError
+        If an undamped system buckles or flutters without any load.
     """
     static = np.broadcast_to(
         numbers("static_load", static_load),
@@ -149,6 +153,8 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
         basis = modal_basis(system, load)
     if system.is_damped or np.isrealobj(basis.frequencies):
         return basis
+    if not is_real(basis.frequencies).all():
+        raise ValueError("`system` must be stable without load and damping, its stiffness is not")
     return ModalBasis(
         basis.load, basis.frequencies.real, basis.vectors.real, np.linalg.inv(basis.vectors.real)
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import number, numbers
+from .checks import number, numbers, whole_number
 from .floquet import extrapolation_weights
 from .modal import modal_basis, splitting_basis
 from .rotor import ShaftDisk
@@ -108,8 +108,17 @@ class ShaftShape:
     slope: NDArray[np.float64] | Complex
 
 
+def _coordinate(system: System, index: int) -> int:
+    """Return a coordinate of the tip, counted from the first."""
+    return whole_number("tip", index, -system.size, system.size - 1) % system.size
+
+
 def initial_conditions(
-    system: System, static_load: float, kind: str = "knock", seed: int = 0
+    system: System,
+    static_load: float,
+    kind: str = "knock",
+    seed: int = 0,
+    tip: tuple[int, int] = (0, 1),
 ) -> Complex:
     """Return a state (q, q̇) to start from.
 
@@ -125,16 +134,18 @@ def initial_conditions(
         a random complex amplitude.
     seed : int
         Of the noise, 0 or more.
+    tip : (int, int)
+        Which coordinates are the tip's displacement and slope; (-2, -1) for a finite-element
+        system that is not reduced.
 
     Returns
     -------
     (2n,) complex
-        The tip is the first two coordinates.
 
     Raises
     ------
     ValueError
-        If there is no such kind or mode.
+        If there is no such kind, mode or coordinate.
 
     Examples
     --------
@@ -148,9 +159,10 @@ def initial_conditions(
         raise ValueError(
             f"`system` must have one spin speed, got an array of shape {system.spin_speed.shape}"
         )
+    end = _coordinate(system, tip[0])
     if kind == "knock":
-        impulse = np.linalg.solve(system.mass, np.eye(n)[0])
-        speed = fundamental_frequency(system) * impulse / impulse[0]
+        impulse = np.linalg.solve(system.mass, np.eye(n)[end])
+        speed = fundamental_frequency(system) * impulse / impulse[end]
         return np.concatenate([np.zeros(n), speed]).astype(complex)
     basis = modal_basis(system, number("static_load", static_load))
     names = names_of(system, float(static_load), basis.frequencies)
@@ -158,18 +170,18 @@ def initial_conditions(
     # z = (q, −jq̇)
     modes[n:] *= 1j
     if kind == "noise":
-        generator = np.random.default_rng(int(number("seed", seed, 0)))
+        generator = np.random.default_rng(whole_number("seed", seed, 0))
         pairs = generator.standard_normal((2, 2 * n))
         amplitudes = (pairs[0] + 1j * pairs[1]) / math.sqrt(4 * n)
         sizes = np.einsum("ik,ij,jk->k", modes[:n].conj(), system.mass, modes[:n]).real
-        modes = modes * np.sqrt(system.mass[0, 0] / sizes)
+        modes = modes * np.sqrt(system.mass[end, end] / sizes)
         return np.asarray(modes @ amplitudes)
     chosen = kind.removeprefix("mode:") if isinstance(kind, str) else kind
     if not isinstance(kind, str) or not kind.startswith("mode:") or chosen not in names:
         known = ", ".join(repr(f"mode:{name}") for name in sorted(names))
         raise ValueError(f"`kind` must be 'knock', 'noise' or one of {known}, got {kind!r}")
     mode = modes[:, names.index(chosen)]
-    return np.asarray(mode / mode[0])
+    return np.asarray(mode / mode[end])
 
 
 def _sample_propagators(
@@ -294,9 +306,9 @@ def time_response(
     static = number("static_load", static_load)
     pulsating = number("pulsating_load", pulsating_load)
     frequency = number("excitation_frequency", excitation_frequency, 0.0, open_low=True)
-    length = int(number("periods", periods, 1))
-    samples = int(number("samples_per_period", samples_per_period, 4))
-    most = int(number("most_steps", most_steps, 1))
+    length = whole_number("periods", periods, 1)
+    samples = whole_number("samples_per_period", samples_per_period, 4)
+    most = whole_number("most_steps", most_steps, 1)
     if length * samples > _MOST_ROWS:
         raise ValueError(
             f"`periods` times `samples_per_period` must be at most {_MOST_ROWS}, "
@@ -307,7 +319,9 @@ def time_response(
     if start.shape != (2 * n,) or not np.isfinite(start).all():
         raise ValueError(f"`initial` must hold {2 * n} finite numbers, got {initial!r}")
     period = 2 * np.pi / frequency
-    ends = [index % n for index in tip]
+    if len(tip) != 2:
+        raise ValueError(f"`tip` must hold two coordinates, got {tip!r}")
+    ends = [_coordinate(system, index) for index in tip]
     with np.errstate(over="ignore", invalid="ignore"):
         vectors, inverse, from_start, error = _sample_propagators(
             system, static, pulsating, period, samples, most
@@ -409,7 +423,7 @@ def shaft_shape(
     [0.0, 0.3125, 1.0]
     """
     p = number("load", load)
-    count = int(number("points", points, 2, 10_000))
+    count = whole_number("points", points, 2, 10_000)
     tip = np.asarray(tip_state)
     if tip.shape[-1:] != (2,) or not np.isfinite(tip).all():
         raise ValueError(f"`tip_state` must hold finite pairs (..., 2), got {tip_state!r}")

@@ -17,7 +17,7 @@ from scipy.optimize import linear_sum_assignment
 
 from .checks import LARGEST, number, numbers, series
 from .modal import mode_names as ranked_names
-from .quartic import quartic_roots
+from .quartic import is_real, quartic_roots
 from .system import System
 
 __all__ = [
@@ -241,6 +241,7 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     (2n,) complex
     """
     one_speed(system)
+    load = number("load", load, -LARGEST, LARGEST)
     loads = np.linspace(0.0, load, _LOADS) if load else np.zeros(1)
     rows = [whirl_frequencies(system, loads)]
     if system.is_damped:
@@ -367,7 +368,7 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
         inverse_squares = eigvals(inertia, stiffness, check_finite=False)
         with np.errstate(invalid="ignore"):
             size = np.abs(inverse_squares)
-            real = np.abs(inverse_squares.imag) <= 1e-9 * size
+            real = is_real(inverse_squares)
         squares = inverse_squares.real[
             real & (inverse_squares.real > 1e-12 * size[np.isfinite(size)].max(initial=0.0))
         ]

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..quartic import is_real
 from ..whirl import WhirlCurves
 
 __all__ = [
@@ -24,7 +25,6 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
-_REAL = 1e-9  # of |ω|: an imaginary part below this is rounding
 
 
 @dataclass(frozen=True)
@@ -158,8 +158,7 @@ def _growing(frequencies: NDArray[np.complex128]) -> NDArray[np.bool_]:
     Without damping a pair that has met shares its real part, and one of the two grows.
     """
     size = np.abs(frequencies)
-    rounding = _REAL * size + 1e-12 * size.max(axis=1, initial=0.0, keepdims=True)
-    grows = frequencies.imag < -rounding
+    grows = (frequencies.imag < 0) & ~is_real(frequencies)
     twins = frequencies[:, :, None] - frequencies[:, None, :].conj()
     near = np.abs(twins) <= 1e-6 * size[:, :, None]
     return np.asarray(grows | (near & grows[:, None, :]).any(axis=2))

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..critical import critical_load, flutter_load
+from ..quartic import is_real
 from ..resonance import resonances
 from ..rotor import BASE_CASE, ShaftDisk
 from ..system import System, lumped
@@ -29,7 +30,6 @@ from .structure import (
 
 __all__ = ["figure_8"]
 
-_REAL = 1e-9  # |Im ω|/|ω| below which a frequency is real
 _COMPLEX = "complex pair"
 _STRIP = 0.065  # of the axis: height of the strip of what is unstable without pulsation
 _ROOM = (0.15, 0.98)  # of p̄_cr: where pairs are marked
@@ -42,7 +42,7 @@ _FLOQUET = (
 def _complex_count(system: System, loads: Array) -> Array:
     """Return how many whirl frequencies are complex at each load."""
     frequencies = whirl_frequencies(system, loads)
-    return np.asarray((np.abs(frequencies.imag) > _REAL * np.abs(frequencies)).sum(axis=-1))
+    return np.asarray((~is_real(frequencies)).sum(axis=-1))
 
 
 def _refined(system: System, loads: Array) -> Array:
@@ -69,8 +69,8 @@ def _curves(group: str, style: Style, system: System, loads: Array) -> list[Seri
     """Return every mode's real stretches, and its complex ones as dotted lines of Re ω."""
     curves = load_frequency_curves(system, _refined(system, loads))
     series = []
-    for mode, column in zip(curves.names, curves.frequencies.T, strict=True):
-        complex_ = np.abs(column.imag) > _REAL * np.abs(column)
+    columns = zip(curves.names, curves.frequencies.T, ~is_real(curves.frequencies).T, strict=True)
+    for mode, column, complex_ in columns:
         real = np.where(complex_, np.nan, column.real)
         series.append(Series(f"{group}, {mode}", group, style, curves.parameter, real))
         if complex_.any():
