@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 HIGHEST_ORDER = 6  # k of θ̄ = |ω_i − ω_j|/k up to which the table's pairs are followed
 _COLUMNS = 160  # frequencies of the check
 _LEVELS = (0.1, 0.3, 1.0)  # loads of the check, of the smallest known so far
-_SMALL = 0.02  # coupling over frequency below which a load hardly moves the tongues
+_SMALL = 0.04  # coupling over frequency below which a load hardly moves the tongues
 _SAFETY = 30  # on the estimate of second-order growth
 _BELOW = 1 - 1e-3  # of the smallest load known, where the check starts
 _ROUNDS = 12  # of the check, each of which finds a smaller load
