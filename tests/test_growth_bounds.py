@@ -7,12 +7,12 @@ from app.analysis import solve, window_of
 from app.growth import known_map
 from app.state import State
 from rotorstab.floquet import floquet_solution
-from rotorstab.growth import largest_modulus
+from rotorstab.growth import largest_modulus, matrix_growth, reversed_growth
 from rotorstab.window import floquet_map
 
-# shares of 12,000 random points by an independent integration, each to 0.3 % or so
+# shares by independent integration at random points, and how far those may be off
 SHARES = [
-    ({"spin_speed": 0.0, "internal_damping": 0.2, "highest_frequency": 4.0}, 0.0755),
+    ({"spin_speed": 0.0, "internal_damping": 0.2, "highest_frequency": 4.0}, 0.0755, 0.004),
     (
         {
             "diametral_inertia": 0.05,
@@ -21,8 +21,10 @@ SHARES = [
             "spin_speed": 0.5,
         },
         0.099,
+        0.006,
     ),
-    ({"spin_speed": 0.0, "load_type": "follower", "static_load_factor": 0.0}, 0.054),
+    ({"spin_speed": 0.0, "load_type": "follower", "static_load_factor": 0.0}, 0.054, 0.002),
+    ({"spin_speed": 1.0, "model": "finite elements"}, 0.086, 0.004),
 ]
 
 
@@ -57,47 +59,48 @@ KINDS = {
     "damped": DAMPING,
     "rotating damping": {"internal_damping": 0.15},
     "exact": {"law": "exact"},
+    "finite elements": {"model": "finite elements"},
+    "finite elements, damped": {"model": "finite elements", **DAMPING},
 }
 
 
-@pytest.mark.parametrize(("inputs", "share"), SHARES)
-def test_the_page_says_the_true_share(inputs, share):
-    state = State(**inputs)
-    assert solve(state).floquet.unstable_share == pytest.approx(share, abs=0.006)
+@pytest.mark.parametrize(("inputs", "share", "slack"), SHARES)
+def test_the_page_says_the_true_share(inputs, share, slack):
+    answer = solve(State(**inputs), "map").floquet
+    assert answer.unstable_share == pytest.approx(share, abs=slack)
 
 
 @pytest.mark.parametrize("detail", [False, True])
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(2))
 def test_pixels_against_points(kind, seed, detail):
-    """No claim is too small; of the full map no verdict, of the moving one hardly any is wrong."""
+    """No claim is too small; hardly a verdict is wrong, and only of growth that is next to none."""
     window = window_of(random_state(seed, **KINDS[kind]))
     made = floquet_map(window, detail).growth
     i, j = np.nonzero(np.isfinite(made.growth))
-    some = np.random.default_rng(seed).choice(len(i), 120)
+    some = np.random.default_rng(seed).choice(len(i), 60)
     i, j = i[some], j[some]
     growth, error = true_growth(window, made.pulsating_loads[i], made.excitation_frequencies[j])
     assert (np.abs(made.growth[i, j] - growth) <= made.error[i, j] + error).all()
-    # a growth this small may be lost
-    clear = np.abs(growth) > 1e-5
-    wrong = (made.unstable[i, j] != (growth > 0)) & clear & ((growth > 0) | made.unstable[i, j])
-    assert wrong.sum() <= (1 if detail else 4)
+    wrong = made.unstable[i, j] != (growth > np.maximum(1e-8, error))
+    assert not (wrong & (np.abs(growth) > 1e-3)).any()
+    assert wrong.sum() <= 1
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(10, 13))
+@pytest.mark.parametrize("seed", [10])
 def test_shares_against_random_points(kind, seed):
     """The share on the page is that of random points, to four standard deviations."""
     state = random_state(seed, **KINDS[kind])
     window = window_of(state)
-    made = known_map(window, True).growth
+    made = known_map(window, "map").growth
     known = made.excitation_frequencies[np.isfinite(made.growth).any(axis=0)]
-    rng, count = np.random.default_rng(seed), 250
+    rng, count = np.random.default_rng(seed), 200
     theta = rng.uniform(max(known.min(), 0.02 * window.high), window.high, count)
     growth, error = true_growth(window, rng.uniform(0, window.top, count), theta)
     share = (growth > np.maximum(1e-8, error)).mean()
     slack = 4 * np.sqrt((share * (1 - share) + 0.01) / count)
-    assert abs(solve(state).floquet.unstable_share - share) < slack
+    assert abs(solve(state, "map").floquet.unstable_share - share) < slack
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -121,3 +124,43 @@ def test_quartics_moved_by_their_errors(seed):
     assert (np.abs(growth - exact) <= claim + 1e-7).all()
     # and the claims are not idle
     assert np.median(claim / error.max(axis=0)) < 100
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_eigenvalues_moved_by_their_errors(seed):
+    """As above for matrices, by the complex eigenproblem and by the real one of half a period."""
+    rng = np.random.default_rng(seed)
+    count, size = 400, 6
+
+    def normal(*shape):
+        return rng.normal(size=shape) + 1j * rng.normal(size=shape)
+
+    # R and S with eigenvalues t real, nearly double or complex; conj(Y)⁻¹Y has the multipliers
+    t = rng.normal(size=(count, size)) + 0j
+    t[::4, 0] = t[::4, 1] + 10 ** rng.uniform(-7, -2, len(t[::4]))
+    t[1::4, 0] = t[1::4, 1].conj() + 1j * 10 ** rng.uniform(-5, 0, len(t[1::4]))
+    t[1::4, 1] = t[1::4, 0].conj()
+    basis = rng.normal(size=(count, size, size)) + 0j
+    basis[1::4, :, 0] += 1j * basis[1::4, :, 1]
+    basis[1::4, :, 1] = basis[1::4, :, 0].conj()
+    operator = (basis * t[:, None]) @ np.linalg.inv(basis)
+    half = rng.normal(size=(count, size, size)) @ (np.eye(size) + 1j * operator.real)
+    exact = np.log(np.abs((1 + 1j * t) / (1 - 1j * t))).max(axis=1)
+    error = 10 ** rng.uniform(-12, -5, (count, 1, 1)) * rng.uniform(size=half.shape)
+    moved = half + error * np.exp(2j * np.pi * rng.uniform(size=half.shape))
+    growth, claim = reversed_growth(moved, error)
+    assert (np.abs(growth - exact) <= claim + 1e-9).all()
+    assert (claim == 0).mean() > 0.3
+
+    values = np.exp(1j * normal(count, size))
+    values[::2, 0] = values[::2, 1] * (1 + 1e-6 * normal(count // 2))
+    basis = normal(count, size, size)
+    monodromy = (basis * values[:, None]) @ np.linalg.inv(basis)
+    moved = monodromy + error * np.exp(2j * np.pi * rng.uniform(size=half.shape))
+    growth, claim = matrix_growth(moved, error)
+    exact = np.log(np.abs(values)).max(axis=1)
+    assert (np.abs(growth - exact) <= claim + 1e-9).all()
+    moved[0, 0, 0] = np.nan
+    lost = matrix_growth(moved, error)[0]
+    assert np.isnan(lost[0])
+    np.testing.assert_allclose(lost[1:], growth[1:])

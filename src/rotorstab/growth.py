@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .characteristic import pair_halves, quartic_multipliers
 
-__all__ = ["largest_modulus", "matrix_growth", "self_inversive_growth"]
+__all__ = ["largest_modulus", "matrix_growth", "reversed_growth", "self_inversive_growth"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 _BLOCK = 8192  # polynomials worked on together: what a cache holds
 _FAR = 0.1  # of a multiplier: errors that move it farther are beyond a Taylor series
+_STRONG = 1e-6  # 1 + t² of multipliers so far off the circle that another way is more accurate
+_ROUNDING = 1e-15  # of a matrix, in its eigenvalues
 _LOST = 1e-13  # rounding in the cubic's discriminant
 
 
@@ -215,29 +218,113 @@ def largest_modulus(
     return growth, np.asarray(uncertainty), approach
 
 
-def matrix_growth(monodromy: Complex, error: Array | float = 0.0) -> tuple[Array, Array]:
+def matrix_growth(monodromy: Complex, error: Array) -> tuple[Array, Array]:
     """Return ln max|μ| of monodromies by their eigenvalues, and how far it may be wrong.
 
     Parameters
     ----------
-    monodromy : (..., 2n, 2n) complex
-    error : (...) float
-        Bound on the errors of the characteristic polynomial's coefficients.
+    monodromy : (..., m, m) complex
+    error : (..., m, m) float
+        Bounds on the errors of its entries.
 
     Returns
     -------
     growth, uncertainty : (...) float
-        All NaN if one entry is not finite.
+        The error of an eigenvalue is |w| δM |v| / |w v|, with its eigenvectors w, v. NaN where an
+        entry is not finite.
     """
-    if not np.isfinite(monodromy).all():
-        return (np.full(monodromy.shape[:-2], np.nan),) * 2
-    values = np.linalg.eigvals(monodromy)
-    modulus = np.abs(values)
-    top = modulus.argmax(axis=-1)[..., None]
-    gap = np.abs(values - np.take_along_axis(values, top, -1))
-    np.put_along_axis(gap, top, np.inf, -1)
-    gap = gap.min(axis=-1)
-    largest = np.take_along_axis(modulus, top, -1)[..., 0]
-    slack = 2 * monodromy.shape[-1] * error * largest
-    shift = 2 * slack / (gap + np.sqrt(gap**2 + 4 * slack))
-    return np.log(largest), shift / largest
+    good, monodromy, error = _finite(monodromy, error)
+    values, right = np.linalg.eig(monodromy)
+    slack = _first_order(_inverse(right), error + _rounding(monodromy), right)
+    size, gap = np.abs(values), _gaps(values).min(axis=-1)
+    shift = _shift(slack * gap, gap, 1.0)
+    # any eigenvalue may be the largest
+    high, low, top = (x.max(axis=-1) for x in (size + shift, size - shift, size))
+    with np.errstate(divide="ignore"):
+        uncertainty = np.log(np.maximum(high / top, top / np.maximum(low, 0)))
+    return np.where(good, np.log(top), np.nan), np.where(good, uncertainty, np.nan)
+
+
+def reversed_growth(half: Complex, error: Array) -> tuple[Array, Array]:
+    """Return ln max|μ| of conj(Y)⁻¹Y, and how far it may be wrong, by a real eigenproblem.
+
+    With Y = R + jS and Sx = tRx it is μ = (1 + jt)/(1 − jt), on the unit circle where t is real.
+
+    Parameters
+    ----------
+    half : (..., m, m) complex
+        Y over half a period, where Y(−t) = conj Y(t).
+    error : (..., m, m) float
+        Bounds on the errors of its entries.
+
+    Returns
+    -------
+    growth, uncertainty : (...) float
+        Both exactly 0 where no two multipliers may meet. NaN where an entry is not finite.
+    """
+    good, half, error = _finite(half, error)
+    inverse = _inverse(half.real)
+    operator = inverse @ half.imag
+    t, right = np.linalg.eig(operator)
+    left = _inverse(right)
+    # d ln μ = 2j dt/(1 + t²), dt = w (δS − t δR) x with w R x = 1
+    rate = np.abs(1 + t * t)
+    slack = np.sqrt(1 + np.abs(t) ** 2) * _first_order(left @ inverse, error, right)
+    slack = 2 * (slack + _first_order(left, _rounding(operator), right)) / rate
+    mu = (1 + 1j * t) / (1 - 1j * t)
+    log = np.where(t.imag == 0, 0.0, np.log(np.abs(mu)))
+    gaps = _gaps(mu) / np.abs(mu)[..., None]
+    gap = gaps.min(axis=-1)
+    shift = _shift(slack * gap, gap, 1.0)
+    # a multiplier on the circle leaves it only to meet another one
+    meets = (gaps < slack[..., None] + slack[..., None, :]).any(axis=-1) | (t.imag != 0)
+    growth = log.max(axis=-1)
+    high = np.where(meets, log + shift, 0.0).max(axis=-1)
+    low = np.maximum((log - shift).max(axis=-1), 0.0)
+    uncertainty = np.maximum(high - growth, growth - low)
+    # growth so strong that 1 − jt is a difference of nothing
+    strong = np.flatnonzero(good.ravel() & (rate.min(axis=-1).ravel() < _STRONG))
+    if strong.size:
+        y, doubt = (x.reshape(-1, *x.shape[-2:])[strong] for x in (half, error))
+        solver = _inverse(y.conj())
+        monodromy = solver @ y
+        doubt = np.abs(solver) @ (doubt + doubt @ np.abs(monodromy))
+        growth.flat[strong], uncertainty.flat[strong] = matrix_growth(monodromy, doubt)
+    return np.where(good, growth, np.nan), np.where(good, uncertainty, np.nan)
+
+
+def _finite(matrix: Complex, error: Array) -> tuple[NDArray[np.bool_], Complex, Array]:
+    """Return where all entries are finite, and both arrays made so."""
+    good = np.asarray(np.isfinite(matrix).all((-2, -1)) & np.isfinite(error).all((-2, -1)))
+    if good.all():
+        return good, matrix, error
+    keep = good[..., None, None]
+    return good, np.where(keep, matrix, np.eye(matrix.shape[-1])), np.where(keep, error, 0.0)
+
+
+def _inverse(matrix: NDArray[Any]) -> NDArray[Any]:
+    """Return inverses, pseudo-inverses if one matrix of them is singular."""
+    try:
+        return np.asarray(np.linalg.inv(matrix))
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.pinv(matrix))
+
+
+def _rounding(matrix: NDArray[Any]) -> Array:
+    """Return what rounding adds to each entry's error in an eigenproblem."""
+    size = np.abs(matrix).max(axis=(-2, -1), keepdims=True)
+    return np.broadcast_to(_ROUNDING * matrix.shape[-1] * size, matrix.shape)
+
+
+def _first_order(left: NDArray[Any], error: Array, right: NDArray[Any]) -> Array:
+    """Return |w| E |v| of each pair of left and right eigenvectors, (..., m)."""
+    product = np.abs(left) @ error
+    return np.asarray((product * np.swapaxes(np.abs(right), -1, -2)).sum(axis=-1))
+
+
+def _gaps(values: Complex) -> Array:
+    """Return the distances of eigenvalues, (..., m, m), inf from itself."""
+    gaps = np.abs(values[..., :, None] - values[..., None, :])
+    index = np.arange(values.shape[-1])
+    gaps[..., index, index] = np.inf
+    return np.asarray(gaps)

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .characteristic import characteristic_coefficients, reversed_coefficients, solved
-from .growth import largest_modulus, matrix_growth, self_inversive_growth
+from .characteristic import characteristic_coefficients, reversed_coefficients
+from .growth import largest_modulus, matrix_growth, reversed_growth, self_inversive_growth
 from .modal import ModalBasis, splitting_basis
 from .sampling import (
     Panel,
@@ -26,12 +26,14 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 _LEVELS = (4, 3, 2)  # step counts of the extrapolation, times a common factor
-_STEPS_PER_RADIAN = 1.7  # of the fastest mode, first level: 1e-7 or so in the coefficients
+# of the fastest mode, first level: 1e-7 or so in the coefficients, 1e-6 in growth without them
+_STEPS_PER_RADIAN, _STEPS_WITHOUT = 1.7, 1.2
 _TOLERANCE = 1e-6  # of the interpolation, by a rule that is cautious: 1e-9 comes out
 _ROUNDING = 1e-14
 _PROBES = (0.0, 0.15, 0.3, 0.5)  # of a panel's periods, longest first: where steps are checked
 _GROWS = 4  # power of T with which they grow at least
 _SAFETY = 4
+_COLUMNS_A_PROBE = 12  # without a closed form, where a period's error is measured
 
 
 def _weights(levels: tuple[int, ...]) -> Array:
@@ -97,7 +99,9 @@ class ChartSampler:
         else:
             bandwidth = self.share * np.abs(frequencies).max()
         slope = self._load_slope()
-        coupling = self.basis.inverse[:, system.size :] @ slope @ self.basis.vectors[: system.size]
+        self.coupling = coupling = (
+            self.basis.inverse[:, system.size :] @ slope @ self.basis.vectors[: system.size]
+        )
         strength = float(np.sqrt(np.abs(coupling * coupling.T).max()))
         drive = float(np.linalg.norm(slope, 2)) * (
             largest_load + abs(static_load - float(self.basis.load))
@@ -107,7 +111,11 @@ class ChartSampler:
             periods,
             bandwidth=1.03 * float(bandwidth),
             swing=(1.15 if system.is_linear else 1.3) * strength * largest_load,
-            rate=density * self.share * fastest * _STEPS_PER_RADIAN / _LEVELS[0],
+            rate=density
+            * self.share
+            * fastest
+            * (_STEPS_PER_RADIAN if self.closed_form else _STEPS_WITHOUT)
+            / _LEVELS[0],
             density=density,
             tolerance=_TOLERANCE,
             even=self.closed_form,
@@ -147,6 +155,23 @@ class ChartSampler:
             MAP_SCHEME,
         )
 
+    def _processed(self, period: Array, load: Array, steps: int) -> Complex:
+        """Return Y (T nodes, load nodes, 2n, 2n) to the order of its eigenvalues.
+
+        The change of variables that hides the integrator's error h² from them (`MAP_SCHEME`) is
+        undone: exp X with X = (h²/24) [kick, drift], at the end and, inverted, at the start.
+        """
+        y = np.moveaxis(self._propagators(period, load, steps), (0, 1), (2, 3))
+        frequencies = self.basis.frequencies
+        bracket = np.subtract.outer(frequencies, frequencies) * self.coupling / 24
+        start = float(self.static_load - self.basis.load) + load
+        end = start if self.share == 1 else start - 2 * load
+        change = np.array([end, -start])[:, None, :, None, None] * bracket
+        change = change * np.square(self.share * period / steps)[:, None, None, None]
+        square = change @ change / 2
+        left, right = np.eye(len(frequencies)) + change + square + square @ change / 3
+        return np.asarray(left @ y @ right)
+
     def _extrapolated(self, period: Array, load: Array, steps: int) -> tuple[NDArray[Any], Array]:
         """Return the coefficients (3, T nodes, load nodes) and their errors by load.
 
@@ -184,10 +209,7 @@ class ChartSampler:
         return np.square(load) if self.closed_form else np.abs(load)
 
     def _sample(self, panel: Panel) -> tuple[NDArray[Any], Array, Array]:
-        """Return Chebyshev coefficients (k, T, load) and errors: interpolation, steps by load.
-
-        The errors have a first axis for each function in closed form, else one for all of them.
-        """
+        """Return Chebyshev coefficients (k, T, load) and errors: interpolation, steps by load."""
         period = self.periods[panel.columns]
         if panel.period_nodes:
             period = chebyshev_nodes(panel.period_nodes, panel.low, panel.high)
@@ -197,12 +219,16 @@ class ChartSampler:
         if self.closed_form:
             values, step_error = self._extrapolated(period, load, panel.steps)
         else:
-            values = self._propagators(period, load, _LEVELS[0] * panel.steps)
-            # the error is largest at the longest period
-            worst = [int(period.argmax())]
-            rough = self._propagators(period[worst], load, _LEVELS[1] * panel.steps)
-            values, rough = (y.reshape(-1, *y.shape[2:]) for y in (values, rough))
-            step_error = self._characteristic_gap(values[:, worst[0]], rough[:, 0])[None]
+            fine = self._processed(period, load, _LEVELS[0] * panel.steps)
+            # the error is largest at the longest periods
+            at = np.argsort(-period)[: max(1, len(period) // _COLUMNS_A_PROBE)]
+            rough = self._processed(period[at], load, _LEVELS[1] * panel.steps)
+            gap = np.abs(rough - fine[at]).max(axis=0) / ((_LEVELS[0] / _LEVELS[1]) ** 4 - 1)
+            # off the diagonal errors swing with T, and one period may show none
+            phase = np.einsum("lii->li", gap)
+            gap = np.maximum(gap, np.sqrt(phase[:, :, None] * phase[:, None]))
+            values = np.moveaxis(fine.reshape(*fine.shape[:2], -1), -1, 0)
+            step_error = _SAFETY * gap.reshape(len(gap), -1).T
         coefficients = values @ chebyshev_transform(len(load)).T
         error = np.abs(coefficients[..., -1]).max(axis=1)
         if panel.period_nodes:
@@ -210,21 +236,7 @@ class ChartSampler:
             error += np.abs(coefficients[:, -2:]).sum(axis=(1, 2))
         # rounding in sums of terms of this size
         error += 1e-15 * len(load) * np.abs(values).max(axis=(1, 2))
-        return coefficients, error if self.closed_form else error.max(keepdims=True), step_error
-
-    def _characteristic_gap(self, fine: Complex, rough: Complex) -> Array:
-        """Return how far two sets of propagators (k, L) differ in their multipliers."""
-        size = 2 * self.system.size
-        sides = []
-        for entries in (fine, rough):
-            matrix = np.moveaxis(entries, 0, -1).reshape(-1, size, size)
-            if not self.system.is_damped:
-                matrix = solved(matrix.conj(), matrix)
-            if not np.isfinite(matrix).all():
-                return np.full(len(matrix), np.nan)
-            sides.append(np.array([np.poly(one) for one in matrix]))
-        ratio = (_LEVELS[0] / _LEVELS[1]) ** 4 - 1
-        return np.asarray(np.abs(sides[0] - sides[1]).max(axis=-1) / ratio)
+        return coefficients, error, step_error
 
     def evaluate(self, panel: int, loads: Array, periods: Array) -> NDArray[Any]:
         """Return the functions (k, R, C) on a grid of loads and, inside one panel, periods.
@@ -252,9 +264,8 @@ class ChartSampler:
 
         Returns
         -------
-        (3, ...) float
-            Of c₁, c₂, c₃ (undamped Re c₁, Im c₁, c₂) in closed form, else (1, ...): of the
-            monodromy's entries.
+        (k, ...) float
+            Of c₁, c₂, c₃ (undamped Re c₁, Im c₁, c₂) in closed form, else of the entries of Y.
         """
         plan = self.panels[panel]
         _, error, step_error = self.data[panel]
@@ -287,7 +298,7 @@ class ChartSampler:
         ----------
         functions : (k, ...)
             From `on_grid`, `evaluate` or `scattered`.
-        error : (3 or 1, ...) float
+        error : (k, ...) float
             From `on_grid` or `coefficient_error`.
         periods : (...) float
             Broadcast to the functions' shape.
@@ -308,10 +319,12 @@ class ChartSampler:
             growth = growth - self.drift.imag * periods
         else:
             size = 2 * self.system.size
-            matrix = np.moveaxis(functions, 0, -1).reshape(*functions.shape[1:], size, size)
-            if not damped:
-                matrix = solved(matrix.conj(), matrix)
-            growth, slack = matrix_growth(matrix, error[0])
+            shape = (*functions.shape[1:], size, size)
+            solver = matrix_growth if damped else reversed_growth
+            growth, slack = solver(
+                np.moveaxis(functions, 0, -1).reshape(shape),
+                np.moveaxis(error, 0, -1).reshape(shape),
+            )
             approach = np.broadcast_to(np.nan, growth.shape)
         return growth / periods, slack / periods, approach
 

@@ -55,7 +55,8 @@ MOST_WORK = {
     ("finite elements", False): 4000,
     ("finite elements", True): 2500,
 }
-MOST_REFINED = 600  # pixels of the growth map computed one by one
+# pixels of the growth map computed one by one, first those whose verdict is in doubt
+MOST_REFINED = {"lumped": 600, "finite elements": 60}
 LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
 
 
@@ -85,7 +86,7 @@ def map_options(model: Model, settled: bool) -> dict[str, Any]:
     """Return how carefully the growth map of a model is made, for `stability_chart`."""
     return {
         "density": PIXELS[model.kind, settled][2],
-        "refine": MOST_REFINED if settled and model.kind == "lumped" else 0,
+        "refine": MOST_REFINED[model.kind] if settled else 0,
         # where edges are drawn they show the tongues thinner than a pixel
         "seed": False,
     }
