@@ -110,6 +110,7 @@ class ChartSampler:
         self.panels = plan_panels(
             periods,
             bandwidth=1.03 * float(bandwidth),
+            decay=float(np.ptp(frequencies.imag)),
             swing=(1.15 if system.is_linear else 1.3) * strength * largest_load,
             rate=density
             * self.share

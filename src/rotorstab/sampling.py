@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 
 _CALL_OVERHEAD = 80  # nodes whose work equals NumPy's overhead of a call
 _MARGIN = 6.5  # nodes past the turning point of a Bessel function, for 1e-8
+_FALL = 4.3  # √ln 1e8
 _CUTS_PER_OCTAVE = 1
 
 
@@ -104,16 +105,21 @@ def load_nodes(phase: float, tolerance: float, even: bool) -> int:
     return count + 1
 
 
-def _period_nodes(bandwidth: float, length: float) -> int:
-    """Return how many Chebyshev nodes in T resolve e^{jωT}, |ω| ≤ bandwidth, over a length."""
+def _period_nodes(bandwidth: float, decay: float, length: float) -> int:
+    """Return how many Chebyshev nodes in T resolve e^{jωT}, |Re ω| ≤ bandwidth, over a length.
+
+    The coefficients of e^{−aT}, 0 ≤ a ≤ decay, fall like exp(−k²/(a length)).
+    """
     turning = bandwidth * length / 2
-    return int(np.ceil(turning + _MARGIN * turning ** (1 / 3) + 4))
+    waves = turning + _MARGIN * turning ** (1 / 3)
+    return int(np.ceil(max(waves, _FALL * np.sqrt(decay * length)) + 4))
 
 
 def plan_panels(
     periods: Array,
     *,
     bandwidth: float,
+    decay: float,
     swing: float,
     rate: float,
     density: float,
@@ -129,6 +135,8 @@ def plan_panels(
         Rising.
     bandwidth : float
         Largest frequency of the functions to interpolate, as functions of T.
+    decay : float
+        Their fastest decay, above that of the slowest.
     swing : float
         Phase per unit period that the largest load adds.
     rate : float
@@ -160,7 +168,7 @@ def plan_panels(
     def panel(start: int, stop: int) -> tuple[float, Panel]:
         # up to the next panel's first column, to leave no gap between panels
         low, high, loads = ends[start], ends[stop], across[stop]
-        nodes = int(np.ceil(density * _period_nodes(bandwidth, high - low)))
+        nodes = int(np.ceil(density * _period_nodes(bandwidth, decay, high - low)))
         columns = stop - start
         steps = max(1, int(np.ceil(rate * high)))
         if columns <= nodes and low >= resolve:

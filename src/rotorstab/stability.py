@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 
 _GROWTH_ERROR = 1e-5  # pixels that may be worse are computed again, one by one
 _FLOOR = 1e-8  # rounding in a growth rate
+_UNKNOWN = 1.0  # error of ln max|μ| from which a pixel in doubt has no verdict
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,8 @@ class StabilityChart:
     excitation_frequencies : (C,) float
         θ̄ of the columns [√(EI/(ρAL⁴))].
     growth : (R, C) float
-        σ at the pixel's centre; NaN in rows whose load passes `System.largest_load`.
+        σ at the pixel's centre; NaN in rows whose load passes `System.largest_load`, and where
+        rounding leaves nothing of it in a pixel that is not computed again.
     error : (R, C) float
         Bound on its error from the method's own estimates: the tolerance of the verdict.
     peak_growth : (R, C) float
@@ -150,6 +152,8 @@ def stability_chart(
             if refine:
                 most = part.size if refine is True else refine
                 refined = _refine(system, static, loads, frequencies[order], part, slack, most)
+            # not even the order of magnitude of the multiplier is known
+            part[(np.abs(part) <= slack) & ~(slack * periods < _UNKNOWN)] = np.nan
         tall = np.array(part)
         if seed:
             tall = np.fmax(tall, hidden_by_table(sampler, loads, frequencies[order]))
