@@ -215,10 +215,9 @@ def _checked(plane: Plane, band: tuple[float, float], largest: float, best: Tip)
             clean = load
         else:
             break
-        found = min(_tips(plane, band, points, load), key=lambda tip: tip.load)
-        if found.load >= best.load:
-            break
-        best = found
+        # where no tip can be followed, the unstable point itself is an upper bound
+        tips = [*_tips(plane, band, points, load), Tip(float(load), float(points[0]))]
+        best = min(tips, key=lambda tip: tip.load)
     return best
 
 

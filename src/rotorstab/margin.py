@@ -187,7 +187,8 @@ def stability_margin(
     The tip of each tongue of the resonance table is refined on single points (growth 0 and
     ∂growth/∂θ̄ = 0), with damping to 1e-6 or better. The ends of the band count with their own
     crossings, so a tongue rooted outside is seen where it enters. What no first-order tongue
-    explains is then looked for at loads below: in 160 frequencies, and near every
+    explains is then looked for at loads below, unless they are too small for second-order growth
+    to overcome the damping (by an estimate with a factor of 30): in 160 frequencies, and near every
     θ̄ = |ω_i − ω_j|/k up to k = 6, where the place at which two multipliers come closest is
     followed. A tongue of higher order counts as far as the 160 frequencies see it, and a band
     of growth that opens and closes again between the loads looked at may be missed.
