@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from rotorstab import Resonance, Scales
+from rotorstab import Scales
 from rotorstab.charts import written
+from rotorstab.overlaps import FirstOrderRegion, first_order_regions
 
 from .analysis import FloquetAnswer
 from .units import load_words
@@ -13,7 +14,8 @@ from .units import load_words
 __all__ = ["verdict", "verdict_room"]
 
 _GROWS = 1e-9  # growth of the mean system above rounding
-_MOST = 6  # tongues named in one sentence
+_MOST = 6  # regions named in one sentence
+_DRIVE = 0.1  # β_d at which the regions of first order are told, as the table is made
 _LONGEST_COMPARISON = (
     " Of the computed part of this window 88 % is unstable; Bolotin regions cover 88 %, "
     "overstating the area by 8,888 %; yet 88 % of what is unstable lies outside them."
@@ -33,27 +35,27 @@ def _newtons(load: float, scales: Scales | None) -> str:
     return "" if scales is None else f" (P_t = {load_words(load, scales)})"
 
 
-def _tongue(one: Resonance, frequency: float, scales: Scales | None) -> str:
+def _region(one: FirstOrderRegion, frequency: float, scales: Scales | None) -> str:
     if scales is not None:
         hertz = scales.frequency / (2 * math.pi)
         return (
-            f"{one.name} at {written(one.centre * hertz)} Hz "
-            f"({written(2 * one.half_width * hertz, 3)} wide)"
+            f"{one.name} at {written(one.centre * hertz)} Hz ({written(one.width * hertz, 3)} wide)"
         )
     centre = f"{one.name} at θ/ωₙ = {one.centre / frequency:.3f}"
-    return f"{centre} ({2 * one.half_width / frequency:.3f} wide)"
+    return f"{centre} ({one.width / frequency:.3f} wide)"
 
 
-def _tongues(answer: FloquetAnswer, scales: Scales | None) -> str:
+def _regions(answer: FloquetAnswer, scales: Scales | None) -> str:
     low, high = answer.frequency_range
     frequency = answer.fundamental_frequency
-    inside = [one for one in answer.table.tongues if low <= one.centre / frequency <= high]
+    regions = first_order_regions(answer.table, _DRIVE * answer.reference_load)
+    inside = [one for one in regions if low <= one.centre / frequency <= high]
     if not inside:
         return "No tongue of first order is open in this window at β_d = 0.1."
-    named = "; ".join(_tongue(one, frequency, scales) for one in inside[:_MOST])
+    named = "; ".join(_region(one, frequency, scales) for one in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
-    word = "tongue" if len(inside) == 1 else "tongues"
-    load = f"β_d = 0.1{_newtons(0.1 * answer.reference_load, scales)}"
+    word = "unstable region" if len(inside) == 1 else "unstable regions"
+    load = f"β_d = {_DRIVE:g}{_newtons(_DRIVE * answer.reference_load, scales)}"
     return (
         f"To first order in the load, {len(inside)} {word} in this window at {load}: "
         f"{named}{more}; lines without a name are of higher order."
@@ -161,4 +163,4 @@ def _end(answer: FloquetAnswer) -> str:
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
     if answer.table.mean_growth > _GROWS:
         return _margin(answer, scales)  # no tongue stands out of what grows everywhere
-    return f"{_tongues(answer, scales)} {_margin(answer, scales)}"
+    return f"{_regions(answer, scales)} {_margin(answer, scales)}"

@@ -12,6 +12,7 @@ from .finite_element import finite_element
 from .floquet import floquet_multipliers, growth_rate
 from .hill import hill_boundary_frequencies
 from .margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
+from .overlaps import FirstOrderRegion, first_order_regions
 from .resonance import Resonance, ResonanceTable, resonances
 from .response import (
     ShaftShape,
@@ -41,6 +42,7 @@ __all__ = [
     "BolotinChart",
     "CriticalPulsation",
     "CriticalSpeeds",
+    "FirstOrderRegion",
     "Resonance",
     "ResonanceTable",
     "Scales",
@@ -62,6 +64,7 @@ __all__ = [
     "critical_speeds",
     "exact_stiffness",
     "finite_element",
+    "first_order_regions",
     "floquet_multipliers",
     "flutter_load",
     "fundamental_frequency",
