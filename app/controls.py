@@ -1,11 +1,13 @@
 """The sidebar component and its protocol: one message in, one answer out.
 
 The browser sends the newest values only after it has painted the answer to the last ones
-(latest wins), so nothing is queued, with one user or many.
+(latest wins), so nothing is queued, with one user or many. Every message is answered with its
+number, in the order of the messages: a page that gets no answer knows that nobody hears it.
 """
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from time import perf_counter
@@ -23,6 +25,7 @@ from .threads import turn
 
 __all__ = ["Controls", "field"]
 
+_LOG = logging.getLogger("rotorstab.app")
 _ASSETS = Path(__file__).parent / "assets"
 
 GROUPS = (
@@ -119,10 +122,18 @@ class Controls(pn.custom.JSComponent):
         if not isinstance(data, Mapping):
             return
         sequence = data.get("seq")
+        number = {"seq": sequence if isinstance(sequence, int) else 0}
+        if data.get("type") == "ping":  # whether anybody is there: nothing is looked at
+            self._send_msg(number)
+            return
         with turn, pn.io.hold():  # patches and answer leave as one message
             began = perf_counter()
-            answer = self._respond(data)
-            self._send_msg(answer | {"seq": sequence if isinstance(sequence, int) else 0})
+            try:
+                answer = self._respond(data)
+            except Exception:
+                _LOG.exception("a message could not be answered")
+                answer = {"told": "the server could not use this message"}
+            self._send_msg(answer | number)
         observe("update", perf_counter() - began)
 
     def _process_bokeh_event(self, doc: Document, event: Event) -> None:

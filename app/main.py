@@ -9,7 +9,6 @@ from pathlib import Path
 from types import MappingProxyType
 
 import panel as pn
-from bokeh.models import CustomJS
 from markupsafe import Markup
 
 from rotorstab.charts import ROLES, Role
@@ -29,8 +28,16 @@ from .versions import tell
 
 ASSETS = Path(__file__).parent / "assets"
 STYLES = ("page.css", "inspector.css", "lessons.css")
-# page.js first: the others hang themselves on what it makes
-SCRIPTS = ("page.js", "units.js", "paper.js", "inspector.js", "shaft.js", "lessons.js")
+# connection.js stands before Bokeh's files; each script adds to what those before it made
+SCRIPTS = (
+    "messages.js",
+    "page.js",
+    "units.js",
+    "paper.js",
+    "inspector.js",
+    "shaft.js",
+    "lessons.js",
+)
 # those that are drawn depend on the load type and the stiffness chosen
 LOADS = ("axial", "follower", "partly", "axial exact", "follower exact", "partly exact")
 LEGENDS = {
@@ -138,6 +145,7 @@ def build() -> pn.Template:
     for name, root in session.roots().items():
         template.add_panel(name, root)
     template.add_variable("style", Markup("\n".join(map(asset, STYLES))))
+    template.add_variable("connection", Markup(asset("connection.js")))
     template.add_variable("scripts", [Markup(asset(name)) for name in SCRIPTS])
     template.add_variable("lessons", cards())
     legends = {
@@ -147,10 +155,6 @@ def build() -> pn.Template:
     template.add_variable("legends", legends)
     template.add_variable("download", download)
     template.add_variable("first", session.first)
-    if pn.state.curdoc is not None:
-        pn.state.curdoc.js_on_event(
-            "connection_lost", CustomJS(code="window.rotorstab.connectionLost()")
-        )
     return template
 
 

@@ -1,71 +1,23 @@
-// The sidebar: sliders with number boxes, choices, presets. Latest wins: new values leave
-// only after the frame that answers the last ones was painted, so nothing is ever queued.
-
-const TIMEOUT = 2000;
-const REST = 80; // after this long without a change the full picture is asked for
+// The sidebar: sliders with number boxes, choices, presets.
 
 export function render({ model, el }) {
   const spec = model.spec;
-  const state = { values: {}, pending: {}, inflight: 0, sequence: 0, timer: 0 };
+  const state = { values: {} };
   const rows = {};
-  const page = window.rotorstab || {};
-
-  // -- latest wins ---------------------------------------------------------
-  function flush() {
-    if (state.inflight || !Object.keys(state.pending).length) return;
-    state.inflight = ++state.sequence;
-    const message = { type: "change", seq: state.inflight, values: state.pending };
-    state.pending = {};
-    model.send_msg(message);
-    state.timer = setTimeout(freed, TIMEOUT);
-  }
-
-  function freed() {
-    state.inflight = 0;
-    flush();
-    if (due) settle();
-  }
-
-  function release(seq) {
-    if (seq !== state.inflight) return;
-    clearTimeout(state.timer);
-    requestAnimationFrame(freed);
-  }
-
-  let resting = 0, due = false;
-  function settle() {
-    // at once after the last picture, where that takes longer than the rest
-    due = Boolean(state.inflight || Object.keys(state.pending).length);
-    if (!due) model.send_msg({ type: "settle", seq: ++state.sequence });
-  }
-
-  function rest() {
-    clearTimeout(resting);
-    due = false;
-    resting = setTimeout(settle, REST);
-  }
-
-  function change(name, value) {
-    state.pending[name] = value;
-    queueMicrotask(flush); // what one event sets leaves together: a marker is placed in one step
-    rest();
-  }
+  const page = window.rotorstab;
 
   // -- what the server answers ---------------------------------------------
-  model.on("msg:custom", (answer) => {
-    const data = answer.data ?? answer;
-    if (data.seq) release(data.seq);
-    // a full picture that was made meanwhile is not the answer to what moved since
-    else if (data.values && (state.inflight || Object.keys(state.pending).length)) return;
+  function show(data) {
     if (data.values) state.values = data.values;
     if (data.values) for (const [name, row] of Object.entries(rows)) {
       const error = (data.errors || {})[name] || "";
       row.say(error);
-      if (!error && !(name in state.pending)) row.show(data.values[name]);
+      if (!error) row.show(data.values[name]);
     }
     if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) if (row.hint) row.hint(data.si?.hints[name] || "");
-    if (page.answer) page.answer(data);
-  });
+  }
+  model.on("msg:custom", (answer) => page.messages.take(answer.data ?? answer));
+  const { change } = page.messages;
 
   // -- pieces --------------------------------------------------------------
   function node(tag, attributes, ...children) {
@@ -219,11 +171,11 @@ export function render({ model, el }) {
   const presets = node("select", { id: "rs-preset", class: "preset" }, node("option", { value: "" }, "Choose a preset …"),
     ...model.presets.map((name) => node("option", { value: name }, name)));
   presets.addEventListener("change", () => {
-    if (presets.value) model.send_msg({ type: "preset", seq: ++state.sequence, name: presets.value });
+    if (presets.value) page.send({ type: "preset", name: presets.value });
     presets.value = "";
   });
   const reset = node("button", { type: "button", class: "plain" }, "Reset all");
-  reset.addEventListener("click", () => model.send_msg({ type: "reset", seq: ++state.sequence }));
+  reset.addEventListener("click", () => page.send({ type: "reset" }));
   form.append(node("div", { class: "row" }, node("div", { class: "head" }, node("label", { for: "rs-preset" }, "Presets")),
     node("div", { class: "pair" }, presets, reset)));
   for (const group of spec) {
@@ -233,9 +185,6 @@ export function render({ model, el }) {
     form.append(set);
   }
 
-  // the page's own buttons reach the server through this component
-  page.send = (message) => model.send_msg({ seq: ++state.sequence, ...message });
-  page.change = change;
-  model.send_msg({ type: "hello", seq: ++state.sequence });
+  page.messages.attach((message) => model.send_msg(message), show);
   return form;
 }

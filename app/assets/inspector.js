@@ -7,36 +7,23 @@ window.rotorstab.inspector = (() => {
   const NAMES = { marker_frequency: "θ/ωₙ", marker_factor: "β_d", seed: "The seed", periods: "The number of periods" };
   const PIN_LOOKS = { 1: ["#7a6fd8", "3 3"], 2: ["#9a7b00", "7 3"], 3: ["#2f8f8f", "7 3 2 3"] };
   const values = {};
-  const waiting = {}; // what was set here and not yet answered: an older answer must not undo it
   let painted = false;
 
   const clamp = (name, value) => Math.min(BOUNDS[name][1], Math.max(BOUNDS[name][0], value));
   const shown = (name, value) => (BOUNDS[name][1] > 100 ? String(value) : String(Number(value.toFixed(4))));
-
-  function set(name, value) {
-    waiting[name] = { value, until: performance.now() + 4000 };
-    page.change(name, value);
-  }
-
-  function answered(name, value) {
-    const own = waiting[name];
-    if (own && own.value !== value && performance.now() < own.until) return;
-    delete waiting[name];
-    values[name] = value;
-  }
 
   function place(frequency, factor) {
     values.marker_frequency = Number(clamp("marker_frequency", frequency).toFixed(4));
     values.marker_factor = Number(clamp("marker_factor", factor).toFixed(4));
     values.marker = true;
     say("");
-    for (const name of ["marker", "marker_frequency", "marker_factor"]) set(name, values[name]);
+    for (const name of ["marker", "marker_frequency", "marker_factor"]) page.change(name, values[name]);
     for (const box of every("[data-marker]")) box.value = shown(box.dataset.marker, values[box.dataset.marker]);
   }
 
   function remove() {
     values.marker = false;
-    set("marker", false);
+    page.change("marker", false);
     one(".marker-keys").focus();
   }
 
@@ -143,7 +130,7 @@ window.rotorstab.inspector = (() => {
     tap: (x, y) => place(...page.units.plain("instability", x, y)),
     answer(data) {
       if (data.values) {
-        for (const name of ["marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"]) answered(name, data.values[name]);
+        for (const name of ["marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"]) values[name] = data.values[name];
         for (const box of every("[data-marker], [data-input]")) {
           const name = box.dataset.marker || box.dataset.input;
           if (document.activeElement !== box) box.value = box.tagName === "SELECT" ? values[name] : shown(name, values[name]);

@@ -1,7 +1,7 @@
 // What the page does outside the charts: theme, drawer, key numbers, notices.
-window.rotorstab = (() => {
+(() => {
   const root = document.documentElement;
-  const page = {};
+  const page = window.rotorstab;
   const seen = new Set();
 
   // -- theme: stored choice, else the system's; charts follow ----------------
@@ -228,11 +228,40 @@ window.rotorstab = (() => {
   // -- short messages that go by themselves -----------------------------------
   let telling = 0;
   function tell(words) {
-    const toast = document.querySelector(".toast");
-    toast.textContent = words;
-    toast.hidden = !words;
+    // an open dialog covers the rest of the page: it has a place of its own
+    const place = document.querySelector(dialog().open ? "dialog .told" : ".toast");
+    hush();
+    place.textContent = words;
+    place.hidden = !words;
+    telling = setTimeout(hush, 6000);
+  }
+  function hush() {
     clearTimeout(telling);
-    telling = setTimeout(() => { toast.hidden = true; }, 6000);
+    for (const place of document.querySelectorAll(".toast, dialog .told")) place.hidden = true;
+  }
+
+  // -- texts to be copied: selected in a dialog wherever the browser does not copy them by itself ----
+  const dialog = () => document.querySelector("dialog.code");
+  function offer(title, text) {
+    dialog().querySelector("h2").textContent = title;
+    dialog().querySelector("code").textContent = text;
+    dialog().classList.toggle("link", title.startsWith("Link"));
+    hush();
+    if (!dialog().open) dialog().showModal();
+  }
+
+  async function copy(text, what) {
+    try {
+      await navigator.clipboard.writeText(text); // there is no clipboard without https
+      tell(`${what} is on the clipboard.`);
+      return true;
+    } catch { return false; }
+  }
+
+  function copySelected(what) {
+    getSelection().selectAllChildren(dialog().querySelector("code"));
+    const done = document.execCommand("copy");
+    tell(done ? `${what} is on the clipboard.` : `${what} is selected: copy it with Ctrl+C (⌘C on a Mac, or hold a finger on it).`);
   }
 
   // -- the address: the state of the last answer, and the page in view --------------
@@ -241,6 +270,8 @@ window.rotorstab = (() => {
     // history entries would fill the back button with slider positions
     if (query) history.replaceState(null, "", `${location.pathname}?${query}${location.hash}`);
   }
+
+  page.address = address;
 
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
@@ -261,11 +292,7 @@ window.rotorstab = (() => {
     page.lessons.answer(data);
     page.inspector.answer(data);
     page.units.answer(data);
-    if (data.python) {
-      const dialog = document.querySelector("dialog.code");
-      dialog.querySelector("code").textContent = data.python;
-      if (!dialog.open) dialog.showModal();
-    }
+    if (data.python) offer("This view as Python", data.python);
     if (data.told !== undefined) tell(data.told);
     if (data.resting && !page.left) address(); // nothing else is new
     if (!data.values) return;
@@ -289,28 +316,6 @@ window.rotorstab = (() => {
     }
   };
 
-  // -- a lost connection: everything is in the address, so a reload brings it back ---
-  page.connectionLost = () => {
-    if (page.left) return;
-    page.left = true;
-    address();
-    const lost = document.querySelector(".lost");
-    lost.hidden = false;
-    lost.textContent = "The connection to the server was lost. This page returns by itself, with your settings, as soon as the server answers.";
-    let wait = 800;
-    const probe = async () => {
-      try {
-        const answer = await fetch(location.href, { cache: "no-store" });
-        if (answer.ok) { location.reload(); return; }
-      } catch { /* not yet */ }
-      wait = Math.min(15000, wait * 1.6);
-      setTimeout(probe, wait * (0.7 + 0.6 * Math.random()));
-    };
-    setTimeout(probe, wait);
-  };
-  addEventListener("pagehide", () => { page.left = true; });
-  addEventListener("pageshow", () => { page.left = false; });
-
   document.addEventListener("DOMContentLoaded", () => {
     const sidebar = document.querySelector("#sidebar");
     const menu = document.querySelector("button.menu");
@@ -324,8 +329,9 @@ window.rotorstab = (() => {
     document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
     document.querySelector("button.share").addEventListener("click", async () => {
       address();
-      try { await navigator.clipboard.writeText(location.href); tell("The link is on the clipboard."); }
-      catch { prompt("Copy this link:", location.href); }
+      if (await copy(location.href, "The link")) return;
+      offer("Link to this view", location.href);
+      copySelected("The link");
     });
     for (const entry of document.querySelectorAll("[data-layer]")) {
       const name = entry.dataset.layer;
@@ -333,13 +339,11 @@ window.rotorstab = (() => {
     }
     showLayers(Object.fromEntries(Object.keys(LAYERS).map((name) => [name, root.dataset[name] !== "false"])));
     showGrowthUnit(root.dataset);
-    const dialog = document.querySelector("dialog.code");
     document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
     document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: location.origin + location.pathname }));
-    dialog.querySelector(".shut").addEventListener("click", () => dialog.close());
-    dialog.querySelector(".copy").addEventListener("click", async () => {
-      try { await navigator.clipboard.writeText(dialog.querySelector("code").textContent); tell("The program is on the clipboard."); }
-      catch { tell("Select the text and copy it."); }
+    dialog().querySelector(".shut").addEventListener("click", () => dialog().close());
+    dialog().querySelector(".copy").addEventListener("click", async () => {
+      if (!await copy(dialog().querySelector("code").textContent, "The text")) copySelected("The text");
     });
     const more = document.querySelector("details.more");
     more.addEventListener("click", (event) => { if (event.target.tagName === "BUTTON") more.open = false; });
@@ -351,5 +355,4 @@ window.rotorstab = (() => {
     setTheme(root.dataset.theme, false);
     // es-module-shims fires the event a second time
   }, { once: true });
-  return page;
 })();
