@@ -233,7 +233,7 @@
     hush();
     place.textContent = words;
     place.hidden = !words;
-    telling = setTimeout(hush, 6000);
+    if (place.closest("dialog") === null) telling = setTimeout(hush, 6000);
   }
   function hush() {
     clearTimeout(telling);
