@@ -10,7 +10,7 @@ PIP := $(PY) -m pip --disable-pip-version-check --no-input
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
-.PHONY: help serve lab test lint unit bench screenshots lock audit clean
+.PHONY: help serve lab test lint unit newest bench screenshots lock audit clean
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -35,6 +35,9 @@ lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose fil
 
 unit: $(VENV)/dev.stamp ## the tests that need no browser
 	$(PY) -m pytest --numprocesses auto --dist loadfile -m "not browser"
+
+newest: ## a few browser tests on the newest Panel and Bokeh, in an environment of their own
+	@.ci/newest
 
 bench: $(VENV)/dev.stamp ## time the solver and the redraw
 	$(PY) -m benchmarks

@@ -136,6 +136,14 @@ class Controls(pn.custom.JSComponent):
             self._send_msg(answer | number)
         observe("update", perf_counter() - began)
 
+    def _server_event(self, doc: Document, event: Event) -> None:
+        """Answer a message at once: whoever brings it holds the document's lock.
+
+        Panel puts off what comes before it has heard that the page is ready. From 1.10 on it then
+        works without that lock, and the page has no answer.
+        """
+        self._comm_event(doc, event)
+
     def _process_bokeh_event(self, doc: Document, event: Event) -> None:
         """Do without Panel's busy indicator, which the page lacks: a tenth of a move."""
         with set_curdoc(doc):
