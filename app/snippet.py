@@ -101,7 +101,7 @@ response = time_response(system, *point, start, {periods}, {found.samples})
 
 _PRINTS = """
 print("whirl frequencies:", whirl)
-print("unstable share of the window:", (stability.growth > stability.error).mean())
+print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
 for tongue in tongues:
     print(tongue.name, "at θ/ωₙ =", tongue.centre / frequency)
 """
@@ -110,7 +110,7 @@ print("whirl frequencies [Hz]:", whirl.real * hertz)
 print("their growth [1/s]:", -whirl.imag * scales.frequency)
 print("buckling load [N]:", critical_load(rotor.shear) * scales.load)
 print("static load [N]:", static_load * scales.load)
-print("unstable share of the window:", (stability.growth > stability.error).mean())
+print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
 print("largest growth [1/s]:", np.nanmax(stability.growth) * scales.frequency)
 for tongue in tongues:
     print(tongue.name, "at", tongue.centre * hertz, "Hz")
