@@ -15,7 +15,7 @@ from bokeh.core.serialization import Deserializer, Serialized
 from bokeh.protocol import Protocol
 from bokeh.protocol.messages.patch_doc import patch_doc
 from bokeh.protocol.receiver import Receiver
-from tornado.httpclient import AsyncHTTPClient, HTTPRequest
+from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
 PATIENCE = 60  # s until a user gives up; nothing is measured by it
@@ -109,15 +109,21 @@ class User:
     async def connect(self, token):
         """Open the socket of a page's token and pull its document."""
         address = "ws" + self.origin.removeprefix("http") + self.path + "/ws"
-        self._socket = await websocket_connect(
-            HTTPRequest(
-                address,
-                headers={"Origin": self.origin} | self._cookie(),
-                request_timeout=PATIENCE,
-            ),
-            subprotocols=["bokeh", token],
-            max_message_size=64 << 20,
-        )
+        try:
+            self._socket = await websocket_connect(
+                HTTPRequest(
+                    address,
+                    headers={"Origin": self.origin} | self._cookie(),
+                    request_timeout=PATIENCE,
+                ),
+                subprotocols=["bokeh", token],
+                max_message_size=64 << 20,
+            )
+        except HTTPClientError as problem:
+            reply = problem.response
+            body = reply.body.decode() if reply is not None and reply.body else ""
+            headers = reply.headers if reply is not None else {}
+            raise Refused(problem.code, headers, body) from None
         # Nagle's algorithm would add 40 ms to what is sent in three parts
         self._socket.protocol.stream.set_nodelay(True)
         self._wire = WebSocketClientConnectionWrapper(self._socket)

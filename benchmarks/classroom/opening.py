@@ -61,27 +61,30 @@ async def cycle(origin, number):
     await user.close()
 
 
-async def come_and_go(deployment, count, every=10, together=2):
-    """Open, use and close many times; return (cycles, memory of all workers [MB]) as arrays."""
-    points, done = [], 0
+async def come_and_go(deployment, first, last, blocks, together=2):
+    """Open, use and close; return (cycles, memory of all workers [MB]) as arrays.
 
-    async def worker():
+    Memory is read after each block, once the workers hold no page any more.
+    """
+    ends = np.linspace(first, last, blocks + 1).round().astype(int)
+    points, done = [], first
+
+    async def worker(end):
         nonlocal done
-        while done < count:
+        while done < end:
             done += 1
-            number = done
-            await cycle(deployment.origin, number)
-            if number % every == 0:
-                points.append((number, sum(deployment.memory().values())))
+            await cycle(deployment.origin, done)
 
-    await asyncio.gather(*(worker() for _ in range(together)))
-    return np.array(sorted(points), float).T
+    for end in ends:
+        await asyncio.gather(*(worker(end) for _ in range(together)))
+        await empty(deployment)
+        points.append((end, sum(deployment.memory().values())))
+    return np.array(points, float).T
 
 
-def slope(cycles, memory, warm):
-    """Return the growth of memory after a number of cycles [MB a cycle], by a straight line."""
-    kept = cycles > warm
-    return float(np.polyfit(cycles[kept], memory[kept], 1)[0])
+def slope(cycles, memory):
+    """Return the growth of memory [MB a cycle], by a straight line."""
+    return float(np.polyfit(cycles, memory, 1)[0])
 
 
 async def empty(deployment, patience=180):

@@ -1,5 +1,6 @@
 """The served app's own modules, which Bokeh imports under a name that is new in each process."""
 
+import gc
 import importlib
 import sys
 from types import ModuleType
@@ -27,3 +28,6 @@ def install(settings: Settings):
     if session:
         # with a marker: HoloViews draws the charts inside a point too, once, and holds up no user
         session.Session({"at": ["1"]})
+    # What is there now stays until the end: collections of what pages leave need not look at it.
+    gc.collect()
+    gc.freeze()
