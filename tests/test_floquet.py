@@ -10,6 +10,7 @@ from scipy.special import mathieu_a, mathieu_b
 from rotorstab import BASE_CASE, ShaftDisk, finite_element, lumped
 from rotorstab.floquet import floquet_multipliers, floquet_solution, growth_rate
 from rotorstab.modal import state_matrix
+from rotorstab.outlines import unstable_outlines
 from rotorstab.stiffness import largest_exact_load
 from rotorstab.tongues import tongue_edges
 
@@ -191,3 +192,10 @@ def test_results_are_read_only():
     solution = floquet_solution(SYSTEMS["axial"], 0.0, 0.1, [1.0, 2.0])
     with pytest.raises(ValueError, match="read-only"):
         solution.growth_rate[0] = 1
+
+
+def test_a_part_of_a_step_or_of_a_row_is_refused():
+    with pytest.raises(ValueError, match="`most_steps` must be a whole number"):
+        floquet_solution(lumped(BASE_CASE, 1.0), 0.5, 0.1, 2.0, most_steps=10.5)
+    with pytest.raises(ValueError, match="`rows` must be a whole number"):
+        unstable_outlines(lumped(BASE_CASE, 1.0), 0.5, 0.1, 2.0, 3.0, rows=8.5)

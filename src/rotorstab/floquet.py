@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .checks import number, numbers
+from .checks import numbers, whole_number
 from .modal import ModalBasis, splitting_basis
 from .splitting import POINT_SCHEME, divisible, propagate
 from .system import System
@@ -225,7 +225,7 @@ def floquet_solution(
         )
     period = 2 * np.pi / frequency.ravel()
     share = 1.0 if system.is_damped else 0.5
-    most = int(number("most_steps", most_steps, 1))
+    most = whole_number("most_steps", most_steps, 1)
     multipliers, error, converged = _solve(
         system, static.ravel(), pulsating.ravel(), period, share, most
     )

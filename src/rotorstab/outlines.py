@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from .checks import number
+from .checks import number, whole_number
 from .floquet import growth_rate
 from .intervals import SMALLEST_GROWTH, Interval, unstable_intervals
 from .resonance import ResonanceTable, resonances
@@ -149,7 +149,7 @@ def unstable_outlines(
         largest = min(largest, room)
         if largest <= 0:
             return ()
-    loads = np.linspace(0.0, largest, int(number("rows", rows, 8)))
+    loads = np.linspace(0.0, largest, whole_number("rows", rows, 8, 100_000))
     found = unstable_intervals(system, static, loads[1:], low, high)
     step = float(loads[1])
     if found[0] and growth_rate(system, static, 0.0, high) > SMALLEST_GROWTH:
