@@ -27,6 +27,8 @@ Array = NDArray[np.float64]
 
 _EDGE = 1e-9  # wanted on an edge, relative to θ̄
 _ROUNDS = 40
+_NEAR = 1e-5  # of θ̄: from a centre to the point that tells how its pair turns
+_GAP = 1e-5  # of θ̄: ground that grows so near to an edge belongs to another tongue
 _MARCH = (0.6, *np.arange(0.8, 1.3, 0.05), *np.arange(1.3, 2.5, 0.1))  # of the half-width
 
 
@@ -153,14 +155,62 @@ def bracketed_roots(
     return root
 
 
-def _bracket(
-    system: System, static: float, load: Array, centre: Array, width: Array, side: int
-) -> tuple[Array, Array]:
-    """Return points just inside and just outside an edge, NaN if none is found.
+@dataclass
+class _Pair:
+    """Colliding pairs of multipliers, followed by their place on the circle along θ̄."""
 
-    Marches outward in steps small against the width: a longer bracket could span a
-    neighbouring tongue.
+    period: Array
+    middle: Array
+    rate: Array
+
+    def at(
+        self, system: System, static: float, load: Array, theta: Array, index: NDArray[np.intp]
+    ) -> tuple[Array, Array]:
+        """Return what is positive in the tongue of each pair and the pair's middle phase.
+
+        Growth if damped, the collision if not, as in `edge_function` but of this pair alone.
+        """
+        period = 2 * np.pi / theta
+        guess = self.middle[index] + self.rate[index] * (period - self.period[index])
+        logs = np.log(floquet_solution(system, static, load, theta).multipliers)
+        off = logs.imag - guess[:, None]
+        off -= 2 * np.pi * np.round(off / (2 * np.pi))
+        two = np.argsort(np.abs(off), axis=-1)[:, :2]
+        size = np.take_along_axis(logs.real, two, -1)
+        off = np.take_along_axis(off, two, -1)
+        if system.is_damped:
+            value = size.max(axis=-1)
+        else:
+            value = (np.diff(size)[:, 0] ** 2 - np.diff(off)[:, 0] ** 2) / 4
+        return value, guess + off.mean(axis=-1)
+
+    def move(self, index: NDArray[np.intp], theta: Array, middle: Array) -> None:
+        """Take the phases at new θ̄; the next ones are extrapolated from them."""
+        period = 2 * np.pi / theta
+        self.rate[index] = (middle - self.middle[index]) / (period - self.period[index])
+        self.period[index], self.middle[index] = period, middle
+
+
+def _pairs(system: System, static: float, load: Array, centre: Array) -> _Pair:
+    """Return the pairs that grow most at the tongues' centres."""
+    logs = np.log(floquet_solution(system, static, load, centre).multipliers)
+    pair = _Pair(2 * np.pi / centre, logs[:, 0].imag, np.zeros_like(centre))
+    everyone, near = np.arange(len(centre)), centre * (1 - _NEAR)
+    # from the phase of the multiplier that grows to the middle of the two
+    pair.middle = pair.at(system, static, load, centre, everyone)[1]
+    pair.move(everyone, near, pair.at(system, static, load, near, everyone)[1])
+    return pair
+
+
+def _edge(
+    system: System, static: float, load: Array, centre: Array, width: Array, side: int
+) -> Array:
+    """Return the edge of each tongue on one side, NaN where it is not to be told from another's.
+
+    Marches outward in steps small against the width, along the tongue's own pair: the growth
+    of all multipliers could be that of a neighbouring tongue.
     """
+    pair = _pairs(system, static, load, centre)
     inside, outside = centre.copy(), np.full_like(centre, np.nan)
     live = np.flatnonzero(width > 0)
     for part in _MARCH:
@@ -169,12 +219,24 @@ def _bracket(
         live, theta = live[valid], theta[valid]
         if not live.size:
             break
-        f = edge_function(system, static, load[live], theta)
-        found = f <= 0
+        value, middle = pair.at(system, static, load[live], theta, live)
+        pair.move(live, theta, middle)
+        found = value <= 0
         outside[live[found]] = theta[found]
         inside[live[~found]] = theta[~found]
         live = live[~found]
-    return inside, outside
+    edge = np.full_like(centre, np.nan)
+    there = np.flatnonzero(np.isfinite(outside))
+    if there.size:
+        edge[there] = bracketed_roots(
+            lambda x, i: pair.at(system, static, load[there[i]], x, there[i])[0],
+            inside[there],
+            outside[there],
+        )
+        there = there[np.isfinite(edge[there])]
+        beyond = edge[there] * (1 + side * _GAP)
+        edge[there[edge_function(system, static, load[there], beyond) > 0]] = np.nan
+    return edge
 
 
 def tongue_edges(
@@ -209,7 +271,9 @@ def tongue_edges(
     -----
     A tongue is followed from its root θ̄ = |ω_i − ω_j| by the vertex of the collision measure,
     then each edge is a bracketed root. Undamped, the root is that of the collision of two
-    multipliers; damped, that of the growth rate.
+    multipliers; damped, that of their growth rate. Along each edge the tongue's own pair of
+    multipliers is followed, so that a narrow gap to the next tongue is not jumped; tongues
+    closer than 1e-5 of θ̄ count as merged.
     """
     static = number("static_load", static_load)
     loads = np.array(numbers("pulsating_loads", pulsating_loads, 0.0))
@@ -272,19 +336,7 @@ def _fill(
     centre[k_index[~ok], r_index[~ok]] = np.nan
     k_index, r_index = k_index[ok], r_index[ok]
     theta, load, width = theta[ok], load[ok], width[ok]
-    edges = []
-    for side in (-1, 1):
-        inner, outer = _bracket(system, static, load, theta, width, side)
-        found = np.isfinite(outer)
-        edge = np.full_like(theta, np.nan)
-        if found.any():
-            part = load[found]
-            edge[found] = bracketed_roots(
-                lambda x, i, part=part: edge_function(system, static, part[i], x),  # type: ignore[misc]
-                inner[found],
-                outer[found],
-            )
-        edges.append(edge)
+    edges = [_edge(system, static, load, theta, width, side) for side in (-1, 1)]
     left[k_index, r_index], right[k_index, r_index] = edges
     both = np.isfinite(edges[0]) & np.isfinite(edges[1])
     status[k_index[both], r_index[both]] = "tongue"

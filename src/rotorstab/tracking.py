@@ -42,6 +42,7 @@ def follow(measure: Measure, levels: Array, rows: tuple[Resonance, ...]) -> tupl
     knots, path = [np.zeros(1)], [roots]
     centre = np.full((len(rows), len(levels)), np.nan)
     width = np.full_like(centre, np.nan)
+    lost = np.zeros(len(rows), dtype=np.bool_)
     for index, level in enumerate(levels):
         # the centre is even in the load: extrapolate in its square
         squares = np.concatenate(knots)
@@ -58,15 +59,13 @@ def follow(measure: Measure, levels: Array, rows: tuple[Resonance, ...]) -> tupl
         for shrink in (1.0, 0.5, 0.25):
             new, top, bend = _vertex(measure, load, guess, shrink * reach)
             near = np.abs(new - guess) <= _DRIFT * roots
-            guess = np.where(near & (np.abs(new - roots) < _FAR * roots), new, np.nan)
-            # a lost tongue still needs a number to be evaluated at
-            safe = np.where(np.isnan(guess), roots, guess)
-            lost, guess = np.isnan(guess), safe
-        centre[:, index] = np.where(lost, np.nan, guess)
+            # once lost a tongue stays so: what is found at its root again is another one
+            lost |= ~(near & (np.abs(new - roots) < _FAR * roots))
+            # it still needs a number to be evaluated at
+            guess = np.where(lost, roots, new)
         with np.errstate(invalid="ignore", divide="ignore"):
             width[:, index] = np.sqrt(np.maximum(top, 0) / bend)
-        centre[:, index] = np.where(np.isnan(centre[:, max(index - 1, 0)]), np.nan, guess)
-        centre[lost, index] = np.nan
+        centre[:, index] = np.where(lost, np.nan, guess)
         knots.append(np.array([level**2]))
         path.append(np.where(lost, path[-1], guess))
     return centre, width
