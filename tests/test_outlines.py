@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from rotors import P, W
 
+from benchmarks.bench_tongues import GAP, KINDS, LEAST, random_case, top_row
+from benchmarks.tongue_scan import compare, scan
 from rotorstab import (
     BASE_CASE,
     TABLE_1_SI,
@@ -168,3 +170,77 @@ def test_a_tongue_cut_by_the_window_keeps_its_other_edge():
     assert left.sum() > 8
     assert not right.any()
     assert (one.right[2:] > theta).all()
+
+
+AT_REST = lumped(BASE_CASE, 0.0, internal_damping=0.1)
+SHORT_DISK = ShaftDisk(
+    shear=0.09185309540553982, disk_mass=6.12522643630386, diametral_inertia=1.1173710800575072
+)
+# system, static and pulsating load, and a tongue that has been missed
+MISSED = {
+    "beside a harmless pass": (
+        (lumped(BASE_CASE, 0.0, 0.5), 0.5 * P, 0.5 * P),
+        (0.904 * W, 0.914 * W, 2.4e-3),
+    ),
+    "exact follower load at rest": (
+        (lumped(SHORT_DISK, 0.0, 1.0, stiffness="exact"), 0.13064799732073154, 1.0057572967747268),
+        (0.550, 0.559, 4.2e-3),
+    ),
+    "damped, first order": ((AT_REST, 0.5 * P, P), (0.91 * W, 1.984 * W, 0.05)),
+    "damped, second order": ((AT_REST, 0.5 * P, P), (0.501 * W, 0.775 * W, 0.01)),
+    "damped, third order": ((AT_REST, 0.5 * P, P), (0.4 * W, 0.475 * W, 0.005)),
+}
+
+
+def at_top(pieces, load):
+    return [
+        (float(one.left[-1]), float(one.right[-1]))
+        for one in pieces
+        if one.pulsating_loads[-1] == load
+    ]
+
+
+@pytest.mark.parametrize("name", MISSED)
+def test_tongues_that_were_missed(name):
+    (system, static, load), (low, high, growth) = MISSED[name]
+    assert growth_rate(system, static, load, np.linspace(low, high, 81)).max() > growth
+    pieces = unstable_outlines(system, static, load, 0.4 * W, 16 * W)
+    piece = min(at_top(pieces, load), key=lambda one: abs(one[0] - low) + abs(one[1] - high))
+    assert piece == pytest.approx((low, high), rel=3e-3)
+    for edge, step in zip(piece, (1e-6, -1e-6), strict=True):
+        inside, outside = growth_rate(system, static, load, edge * (1 + np.array([step, -step])))
+        assert edge == 0.4 * W or outside < 1e-9 < inside
+
+
+def test_strong_internal_damping_leaves_nothing_stable():
+    system = lumped(BASE_CASE, 2.0, internal_damping=0.2)
+    assert growth_rate(system, 0.5 * P, P, np.geomspace(0.4, 16, 40) * W).min() > 0
+    (whole,) = unstable_outlines(system, 0.5 * P, P, 0.4 * W, 16 * W)
+    assert whole.borders.all()
+    assert whole.pulsating_loads[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed"),
+    [(kind, seed) for kind in KINDS[:2] for seed in (100, 101)] + [(KINDS[3], 100)],
+)
+def test_random_rotors_against_points(kind, seed):
+    """The short form of `python -m benchmarks tongues`: one row, points alone as the truth."""
+    system, static, load, frequency = random_case(seed, kind)
+    low, high = 0.6 * frequency, 8 * frequency
+    found = scan(system, static, load, low, high, 700)
+    verdict = compare(found, top_row(system, static, load, low, high, 20), LEAST)
+    assert verdict.missed == []
+    assert [gap for _, gap in verdict.false if gap > GAP] == []
+
+
+def test_the_scan_sees_what_outlines_miss():
+    """A check that cannot fail shows nothing: with one piece taken away it must."""
+    system, static, load = MISSED["beside a harmless pass"][0]
+    pieces = unstable_outlines(system, static, load, 0.8 * W, 1.1 * W, 12)
+    found = scan(system, static, load, 0.8 * W, 1.1 * W, 150)
+    row = at_top(pieces, load)
+    assert compare(found, row, LEAST).missed == []
+    assert compare(found, row[1:], LEAST).missed
+    wide = compare(found, [(row[0][0], 1.05 * row[0][1])], LEAST).false
+    assert max(gap for _, gap in wide) > GAP

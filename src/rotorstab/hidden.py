@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .floquet import floquet_solution
+from .passing import SMALLEST_GROWTH, passes, surely_unstable
 from .resonance import resonances
 from .sampler import ChartSampler
 from .tongues import collision
@@ -15,80 +16,41 @@ __all__ = ["hidden_by_table", "hidden_on_panel"]
 
 Array = NDArray[np.float64]
 
-_NEAREST = -1.5  # approach below which a pair is too far apart to meet within a column
-_SHRINK = (0.5, 0.1, 0.02)  # half-widths of the parabolas, in columns
-_GROWTH = 1e-8  # smallest peak that counts
+_WORTH = 1e-6  # σ̄ of a peak that is computed again where in doubt
 _WIDE = 2.0  # columns: a wider tongue is seen by the columns themselves
 
 
-def hidden_on_panel(
-    sampler: ChartSampler, panel: int, loads: Array, periods: Array, approach: Array
-) -> Array:
-    """Return the peak growth (R, C) of tongues between columns in one panel's range, 0 elsewhere.
+def hidden_on_panel(sampler: ChartSampler, panel: int, loads: Array, periods: Array) -> Array:
+    """Return the peak growth (R, C) of tongues in one panel's range, 0 elsewhere.
 
-    The approach to a collision is smooth in T, so each local maximum that stays below 0 on the
-    columns is followed to its vertex on the interpolant; above 0 there, a tongue passes. Every
-    order of resonance is found this way, not only those of the table.
+    Every pass of two multipliers is looked at (`passing.passes`), so every order of resonance
+    is found, not only those of the table, if it grows faster than 1e-4; slower ones, down to
+    1e-6, mostly.
 
     Parameters
     ----------
     sampler : ChartSampler
+        With a closed form.
     panel : int
         One with nodes in T.
     loads, periods : (R,), (C,) float
         Of the whole chart, rising.
-    approach : (R, C) float
-        Of the whole chart, from `ChartSampler.growth`, without damping.
     """
-    peak = np.zeros_like(approach)
-    plan = sampler.panels[panel]
-    first, last = plan.columns.start, min(plan.columns.stop + 1, len(periods))
-    middle = approach[:, first:last]
-    left, right = (
-        np.pad(approach, ((0, 0), (1, 1)), constant_values=-np.inf)[:, first + s : last + s]
-        for s in (0, 2)
-    )
-    # a column on a panel's border is looked at from both sides
-    candidate = (middle < 0) & (middle >= left) & (middle >= right) & (middle > _NEAREST)
-    i, j = np.nonzero(candidate)
-    if not i.size or plan.high == plan.low:
-        return peak
-    j = j + first
-    load, start = loads[i], periods[j]
-    before = np.maximum(periods[np.maximum(j - 1, 0)], plan.low)
-    after = np.minimum(periods[np.minimum(j + 1, len(periods) - 1)], plan.high)
-    spacing = (after - before) / 2
-    centre = start.copy()
-    for shrink in _SHRINK:
-        reach = shrink * spacing
-        points = np.clip(centre + reach * np.array([[-1.0], [0.0], [1.0]]), plan.low, plan.high)
-        _, _, height = sampler.at_points(panel, np.tile(load, 3), points.ravel(), nearness=True)
-        low, mid, high = height.reshape(3, -1)
-        bend = low - 2 * mid + high
-        with np.errstate(divide="ignore", invalid="ignore"):
-            shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
-        centre = centre + reach * np.clip(shift, -2, 2)
-        centre = np.clip(centre, before, after)
-    growth, error, _ = sampler.at_points(panel, load, centre)
-    found = growth > np.maximum(error, _GROWTH)
-    doubt = np.flatnonzero((growth > _GROWTH) & ~found)
-    if doubt.size:
-        exact = floquet_solution(
-            sampler.system, sampler.static_load, load[doubt], 2 * np.pi / centre[doubt]
-        )
-        growth[doubt] = exact.growth_rate
-        found[doubt] = exact.growth_rate > np.maximum(exact.error, _GROWTH)
-    i, centre, growth = i[found], centre[found], growth[found]
+    peak = np.zeros((len(loads), len(periods)))
+    row, period, _ = passes(sampler, panel, loads)
+    growth, error, _ = sampler.at_points(panel, loads[row], period, nearness=True)
+    found = surely_unstable(sampler, loads[row], period, growth, error, _WORTH)
+    row, period, growth = row[found], period[found], growth[found]
     # nearest in frequency, as the chart's pixels are
-    column = np.abs(1 / periods[None, :] - 1 / centre[:, None]).argmin(axis=1)
-    np.maximum.at(peak, (i, column), growth)
+    column = np.abs(1 / periods[None, :] - 1 / period[:, None]).argmin(axis=1)
+    np.maximum.at(peak, (row, column), growth)
     return peak
 
 
 def hidden_by_table(sampler: ChartSampler, loads: Array, frequencies: Array) -> Array:
     """Return the peak growth (R, C) of the resonance table's tongues where narrow, 0 elsewhere.
 
-    Each tongue is followed from its root, on the interpolant where there is one.
+    Each tongue is followed from its root: for systems without a closed form.
 
     Parameters
     ----------
@@ -113,7 +75,9 @@ def hidden_by_table(sampler: ChartSampler, loads: Array, frequencies: Array) -> 
     some = np.flatnonzero((loads > 0) & (2 * weakest * loads < _WIDE * pixel))
     if not some.size:
         return peak
-    centres = tongue_centres(lambda load, theta: _measure(sampler, load, theta), loads[some], rows)
+    centres = tongue_centres(
+        lambda load, theta: collision(system, static, load, theta)[0], loads[some], rows
+    )
     narrow = np.array([2 * row.growth_per_load for row in rows])[:, None] * loads[some]
     k, i = np.nonzero(np.isfinite(centres) & (narrow < _WIDE * pixel))
     theta, load = centres[k, i], loads[some][i]
@@ -122,26 +86,7 @@ def hidden_by_table(sampler: ChartSampler, loads: Array, frequencies: Array) -> 
     if not theta.size:
         return peak
     solution = floquet_solution(system, static, load, theta)
-    found = solution.growth_rate > np.maximum(solution.error, _GROWTH)
+    found = solution.growth_rate > np.maximum(solution.error, SMALLEST_GROWTH)
     column = np.abs(frequencies[None, :] - theta[:, None]).argmin(axis=1)
     np.maximum.at(peak, (i[found], column[found]), solution.growth_rate[found])
     return peak
-
-
-def _measure(sampler: ChartSampler, load: Array, theta: Array) -> Array:
-    """Return how close two multipliers are, from the interpolant where there is one."""
-    periods, loads = (2 * np.pi / theta).ravel(), load.ravel()
-    height = np.full(periods.shape, np.nan)
-    if sampler.closed_form and not sampler.system.is_damped:
-        for index, plan in enumerate(sampler.panels):
-            here = (periods >= plan.low) & (periods <= plan.high)
-            if plan.period_nodes and here.any():
-                _, _, near = sampler.at_points(index, loads[here], periods[here], nearness=True)
-                # cos Δψ − 1 to −(Δψ/2)², the scale of single points
-                height[here] = near / 2
-    rest = np.isnan(height)
-    if rest.any():
-        height[rest], _ = collision(
-            sampler.system, sampler.static_load, loads[rest], 2 * np.pi / periods[rest]
-        )
-    return height.reshape(theta.shape)

@@ -8,26 +8,22 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .passing import SMALLEST_GROWTH, passes, surely_unstable
 from .sampler import ChartSampler
 from .system import System
 from .tongues import bracketed_roots
 
-__all__ = ["SMALLEST_GROWTH", "Interval", "unstable_intervals"]
+__all__ = ["Interval", "unstable_intervals"]
 
 Array = NDArray[np.float64]
 Runs = tuple[NDArray[np.intp], Array, Array]
 
 _PER_OCTAVE = (220, 110)  # columns, even in T: in the upper four octaves, below
 _DENSITY = 1.4  # of nodes and steps: the edges of narrow tongues ask for more than a map
-SMALLEST_GROWTH = 1e-8
-"""σ̄ that counts as growth [√(EI/(ρAL⁴))]."""
-
-_NEAREST = -1.0  # approach below which a pair is too far apart to meet within a column
-_SHRINK = (0.3, 0.03)  # half-widths of the parabolas, in columns
 _TOUCH = 1e-12
 _EDGE = 1e-7  # of T
-_OUTSIDE = 1.5  # half-widths from a narrow tongue's centre to a point surely outside
-_FAR = 0.05  # of a parabola's bend over a column: error allowed its estimated top
+_NARROW = 1e-5  # of T: half-width below which the parabola's edges are right to 1e-6
+_BRACKETS = ((0.98, 1.02), (0.0, 1.5), (0.0, np.inf))  # half-widths about an edge
 
 
 class Interval(NamedTuple):
@@ -80,9 +76,8 @@ def _unstable_intervals(
         )
         unstable = growth > np.maximum(error, SMALLEST_GROWTH)
         within = growth > 0 if system.is_damped else unstable | (approach > 0)
-        edges.append(_crossings(sampler, index, loads, span, unstable, within))
-        if len(span) > 2:
-            edges.append(_peaks(sampler, index, loads, span, unstable, approach))
+        wide = _crossings(sampler, index, loads, span, growth, error, within)
+        edges += [wide, _peaks(sampler, index, loads, span, wide)]
     row, start, stop = (np.concatenate(parts) for parts in zip(*edges, strict=True))
     return [
         _joined(np.column_stack([2 * np.pi / stop[row == r], 2 * np.pi / start[row == r]]))
@@ -106,7 +101,8 @@ def _crossings(
     panel: int,
     loads: Array,
     span: Array,
-    unstable: NDArray[np.bool_],
+    growth: Array,
+    error: Array,
     within: NDArray[np.bool_],
 ) -> Runs:
     """Return row, first and last T of every run of columns within a tongue, refined."""
@@ -114,9 +110,10 @@ def _crossings(
     change = np.diff(np.hstack([border, within, border]).astype(np.int8), axis=1)
     row, first = np.nonzero(change == 1)
     last = np.nonzero(change == -1)[1] - 1
-    # rounding alone may lift the measure above 0
-    total = np.hstack([np.zeros((len(loads), 1), dtype=int), unstable.cumsum(axis=1)])
-    sure = total[row, last + 1] > total[row, first]
+    # rounding alone may lift the measure above 0: look at the column that grows most
+    runs = zip(row, first, last, strict=True)
+    top = np.array([i + growth[r, i : j + 1].argmax() for r, i, j in runs], dtype=int)
+    sure = surely_unstable(sampler, loads[row], span[top], growth[row, top], error[row, top])
     row, first, last = row[sure], first[sure], last[sure]
     inside = np.concatenate([first, last])
     outside = np.concatenate([first - 1, last + 1])
@@ -142,52 +139,40 @@ def _root(sampler: ChartSampler, panel: int, load: Array, inside: Array, outside
     return bracketed_roots(value, inside, outside, _EDGE)
 
 
-def _peaks(
-    sampler: ChartSampler,
-    panel: int,
-    loads: Array,
-    span: Array,
-    unstable: NDArray[np.bool_],
-    approach: Array,
-) -> Runs:
+def _peaks(sampler: ChartSampler, panel: int, loads: Array, span: Array, known: Runs) -> Runs:
     """Return row, first and last T of tongues that pass between two columns."""
-    middle = approach[:, 1:-1]
-    candidate = (middle >= approach[:, :-2]) & (middle > approach[:, 2:])
-    if not sampler.system.is_damped:
-        candidate &= middle < 0
-    candidate &= (middle > _NEAREST) & ~(unstable[:, :-2] | unstable[:, 1:-1] | unstable[:, 2:])
-    # the parabola through three columns tells where there is nothing near 0
-    bend = approach[:, :-2] - 2 * middle + approach[:, 2:]
-    slope = (approach[:, 2:] - approach[:, :-2]) / 2
-    with np.errstate(divide="ignore", invalid="ignore"):
-        candidate &= middle - slope**2 / (2 * bend) > _FAR * bend
-    row, column = np.nonzero(candidate)
-    column += 1
-    load, before, after = loads[row], span[column - 1], span[column + 1]
-    centre, spacing = span[column].copy(), (after - before) / 2
-    for shrink in _SHRINK:
-        reach = shrink * spacing
-        points = np.clip(centre + reach * np.array([[-1.0], [0.0], [1.0]]), span[0], span[-1])
-        height = sampler.at_points(panel, np.tile(load, 3), points.ravel(), nearness=True)[2]
-        low, mid, high = height.reshape(3, -1)
-        bend = low - 2 * mid + high
-        with np.errstate(divide="ignore", invalid="ignore"):
-            shift = np.where(bend < 0, (low - high) / (2 * bend), np.sign(high - low))
-        centre = np.clip(centre + reach * np.clip(shift, -2, 2), before, after)
-    growth, error, top = sampler.at_points(panel, load, centre, nearness=True)
-    keep = growth > np.maximum(error, SMALLEST_GROWTH)
-    # the last parabola is 0 at this distance from its vertex
-    with np.errstate(divide="ignore", invalid="ignore"):
-        half = reach * np.sqrt(2 * top / -bend)
-    row = row[keep]
-    load, centre, half, before, after = (one[keep] for one in (load, centre, half, before, after))
-    load, centre = np.tile(load, 2), np.tile(centre, 2)
-    far = np.concatenate([before, after])
-    close = centre + np.concatenate([-half, half]) * _OUTSIDE
-    close = np.where(np.abs(close - centre) < np.abs(far - centre), close, far)
-    both = _root(sampler, panel, load, centre, close)
-    again = np.flatnonzero(np.isnan(both))
-    both[again] = _root(sampler, panel, load[again], centre[again], far[again])
+    row, centre, half = passes(sampler, panel, loads)
+    new = ~_covered(row, centre, known)
+    row, centre, half = row[new], centre[new], half[new]
+    growth, error, _ = sampler.at_points(panel, loads[row], centre, nearness=True)
+    keep = surely_unstable(sampler, loads[row], centre, growth, error)
+    row, centre, half = row[keep], centre[keep], half[keep]
+    load, middle = np.tile(loads[row], 2), np.tile(centre, 2)
+    sides = np.concatenate([-half, half])
+    after = np.clip(np.searchsorted(span, centre), 1, len(span) - 1)
+    far = np.concatenate([span[after - 1], span[after]])
+    # the parabola's edges do where a tongue is as narrow as their error allows
+    own = np.clip(middle + sides, span[0], span[-1])
+    both = np.where(np.abs(sides) < _NARROW * middle, own, np.nan)
+    # close about the parabola's edges, else up to the columns
+    for inner, outer in _BRACKETS:
+        again = np.flatnonzero(np.isnan(both))
+        near, away = (middle[again] + x * sides[again] for x in (inner, outer))
+        past = np.abs(away - middle[again]) > np.abs(far[again] - middle[again])
+        away = np.where(past, far[again], away)
+        both[again] = _root(sampler, panel, load[again], near, away)
+    # between columns of which one is in another tongue: the parabola's own edges
+    both = np.where(np.isfinite(both), both, own)
     start, stop = np.split(both, 2)
-    good = np.isfinite(start) & np.isfinite(stop)
-    return row[good], start[good], stop[good]
+    return row, start, stop
+
+
+def _covered(row: NDArray[np.intp], period: Array, known: Runs) -> NDArray[np.bool_]:
+    """Return which points (row, T) lie in one of known runs."""
+    order = np.lexsort((known[1], known[0]))
+    rows, start, stop = (part[order] for part in known)
+    # rows side by side on one line
+    length = 1 + max(period.max(initial=0.0), stop.max(initial=0.0))
+    at = np.searchsorted(rows * length + start, row * length + period, side="right") - 1
+    inside = (at >= 0) & (rows[at] == row) & (period <= stop[at]) if len(rows) else at >= 0
+    return np.asarray(inside)

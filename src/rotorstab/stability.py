@@ -103,7 +103,9 @@ def stability_chart(
         many of them, those first whose verdict is in doubt, of the fastest loads first: the
         others keep their error.
     seed : bool
-        Look for tongues narrower than a pixel and mark the pixels they pass through.
+        Look for tongues narrower than a pixel and mark the pixels they pass through: with two
+        coordinates all that grow faster than 1e-4, of any order, down to the lowest root of the
+        resonance table; with more coordinates those of the table.
 
     Returns
     -------
@@ -148,19 +150,19 @@ def stability_chart(
         loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
-            part, slack, approach = sampler.growth(*sampler.on_grid(loads, periods), periods, seed)
+            part, slack, _ = sampler.growth(*sampler.on_grid(loads, periods), periods)
             if refine:
                 most = part.size if refine is True else refine
                 refined = _refine(system, static, loads, frequencies[order], part, slack, most)
             # not even the order of magnitude of the multiplier is known
             part[(np.abs(part) <= slack) & ~(slack * periods < _UNKNOWN)] = np.nan
         tall = np.array(part)
-        if seed:
+        if seed and not sampler.closed_form:
             tall = np.fmax(tall, hidden_by_table(sampler, loads, frequencies[order]))
+        elif seed:
             for index, panel in enumerate(sampler.panels):
-                if panel.period_nodes and not system.is_damped and sampler.closed_form:
-                    found = hidden_on_panel(sampler, index, loads, periods, approach)
-                    tall = np.fmax(tall, found)
+                if panel.period_nodes and panel.high > panel.low:
+                    tall = np.fmax(tall, hidden_on_panel(sampler, index, loads, periods))
         target = np.ix_(rows, order)
         growth[target], error[target], peak[target] = part, np.maximum(slack, _FLOOR), tall
     with np.errstate(invalid="ignore"):
