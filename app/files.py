@@ -28,6 +28,7 @@ from .report import page_address, report_html
 from .state import State
 from .threads import Scheduler
 from .units import named_inputs
+from .words import told
 
 __all__ = ["Files", "export", "making", "report"]
 
@@ -161,7 +162,7 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
         try:
             drawn = page.compute(state).get(chart)
         except ValueError as error:
-            return Reply({"told": str(error)})
+            return Reply({"told": told(error)})
         if drawn is None:  # the inspector's, after its marker is gone
             return Reply({"told": "no such chart"})
         inputs = state.inputs()
@@ -193,7 +194,7 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
             drawn = page.compute(state)
             said = page.answer(state)
         except ValueError as error:
-            return Reply({"told": str(error)})
+            return Reply({"told": told(error)})
         inputs = state.inputs()
         stamp = page.stamp()
         pictures = {

@@ -19,12 +19,12 @@ from .share import describe_problems, from_arguments, pins_from_arguments, to_qu
 from .snippet import python_snippet
 from .state import State
 from .threads import Scheduler
+from .words import FAILED, told
 
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
 _MAKES = ("export", "report", "figure")
-_FAILED = "these values could not be computed; the charts show the last ones that could"
 
 
 class Session:
@@ -152,7 +152,7 @@ class Session:
         try:
             return Reply({"python": python_snippet(self.state)})
         except ValueError as error:
-            return Reply({"told": str(error)})
+            return Reply({"told": told(error)})
 
     def reset_view(self) -> None:
         """Undo every zoom on every page."""
@@ -199,8 +199,8 @@ class Session:
                 found |= one.beside(self.state)
             return found
         except ValueError as error:
-            self.notice = str(error)
+            self.notice = told(error)
         except Exception:
             _LOG.exception("redraw failed for %r", self.state.inputs())
-            self.notice = _FAILED
+            self.notice = FAILED
         return {}

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..typed_number import TwoReadings, read_number
+from ..words import told as in_words
 from .expressions import DEFAULT_CASE, Values
 from .format import Lesson, Step
 from .markdown import plain
@@ -161,7 +162,7 @@ def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
                 return Grade(True, "You are there.")
             elsewhere = question.goal.holds(_values(step, inputs), question.tolerance)
         except ValueError as error:
-            return Grade(False, str(plain(str(error))))
+            return Grade(False, str(plain(f"No answer: {in_words(error)}.")))
         return Grade(False, _OTHERWISE if elsewhere else question.hint)
     answer = solution(step)
     try:

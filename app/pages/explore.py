@@ -23,6 +23,7 @@ from ..share import MOST_PINS, PinnedInputs
 from ..state import SYMBOLS, State
 from ..units import displayed, shaft_words, shown_scales, si_answer
 from ..verdict import verdict, verdict_room
+from ..words import told
 from .base import FRAGMENTS, Page, Reply
 
 __all__ = ["Explore"]
@@ -83,7 +84,7 @@ class Explore(Page):
         try:
             return inspect(state, result)
         except ValueError as error:
-            return str(error)
+            return told(error)
 
     def visible(self, state: State) -> dict[str, bool]:
         """Return the layers of the instability chart that can be switched."""
@@ -111,7 +112,7 @@ class Explore(Page):
             try:
                 made = pin(state, message.get("label"), self.pins)
             except ValueError as error:
-                return Reply({"told": str(error)})
+                return Reply({"told": told(error)})
             if made is None:
                 return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
             self.pins = sorted([*self.pins, made], key=lambda one: one.number)
@@ -133,7 +134,7 @@ class Explore(Page):
             try:
                 self.pins = [*self.pins, solved(one)]
             except ValueError as error:
-                problems.append(f"p{one.number} ({error})")
+                problems.append(f"p{one.number} ({told(error)})")
             except Exception:
                 _LOG.exception("a pin of the address failed: %r", one.inputs)
                 problems.append(f"p{one.number} (it could not be computed)")

@@ -16,6 +16,7 @@ from .checks import numbers
 __all__ = [
     "DIGITS",
     "NEAR_POLE",
+    "PastPole",
     "exact_harmonics",
     "exact_stiffness",
     "harmonic_rate",
@@ -80,19 +81,23 @@ def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:
     return s, c, g, d
 
 
+class PastPole(ValueError):
+    """A load is at or past the pole of the exact stiffness."""
+
+
 def refuse_poles(load: ArrayLike, shear: ArrayLike, name: str = "`load`") -> None:
-    """Raise ValueError if a load is at or past the pole of the exact stiffness."""
+    """Raise PastPole if a load is at or past the pole of the exact stiffness."""
     bad, limit = np.broadcast_arrays(load, largest_exact_load(shear))
     past = bad >= limit
     if past.any():
-        raise ValueError(
+        raise PastPole(
             f"{name} must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
             f"at this shear, got {bad[past].flat[0]:g}"
         )
 
 
 def refuse_peaks(static: ArrayLike, pulsating: ArrayLike, shear: float) -> None:
-    """Raise ValueError if the largest load of a pulsation is at or past the pole."""
+    """Raise PastPole if the largest load of a pulsation is at or past the pole."""
     peak = np.add(static, np.abs(pulsating))
     refuse_poles(peak, shear, "`static_load` + |`pulsating_load`|")
 
