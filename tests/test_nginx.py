@@ -34,7 +34,13 @@ from deploy.server.settings import read
 from tests.conftest import opened
 from tests.serving import START, Server, ended, free_port, run
 
-APP = 'import panel as pn\npn.pane.Markdown("throw-away").servable()\n'
+APP = """
+import os, signal
+import panel as pn
+if "die" in pn.state.session_args:
+    os.kill(os.getpid(), signal.SIGKILL)
+pn.pane.Markdown("throw-away").servable()
+"""
 LAB = START.with_name("lab.py")
 APP_FOLDER = START.parents[1] / "app"
 PLACES = 14  # of a worker
@@ -456,6 +462,22 @@ def test_a_worker_that_ends_takes_nobody_else_along(lab, number):
     run(lesson())
 
 
+def test_a_page_that_ends_its_worker_is_given_to_no_other_one(lab):
+    def started():
+        return len(re.findall(r"started worker \d+: process", lab.log.read_text()))
+
+    for _ in range(2):
+        before = started()
+        status, headers, page = lab.get("/app?die=1")
+        assert status == 503
+        assert headers["Retry-After"]
+        assert "restart" in page
+        assert lab.get("/app")[0] == 200  # on the other one
+        lab.wait_for(lambda before=before: started() > before)
+        lab.wait()
+        assert started() == before + 1
+
+
 def test_the_launcher_logs_what_happened_as_json(lab):
     lines = [line for line in lab.log.read_text().splitlines() if line.startswith("{")]
     messages = [json.loads(line) for line in lines]
@@ -697,7 +719,7 @@ def test_nginx_accepts_its_configuration_with_tls(tmp_path):
     assert "; Secure" in text
     assert "Strict-Transport-Security" not in text
     text = check(tmp_path, files | {"PORT": str(free_port()), "ROTORSTAB_HSTS": "86400"})
-    assert text.count('Strict-Transport-Security "max-age=86400" always;') == 5
+    assert text.count('Strict-Transport-Security "max-age=86400" always;') == 7
     assert "ssl_reject_handshake on" in text
 
 
