@@ -67,6 +67,8 @@ class ChartSampler:
         Whether points between columns will be wanted, down to the resonance table's lowest root.
     resolve : float
         Period up to which they will be wanted in any case.
+    sample : bool
+        False only plans: `panels` tell the work.
     """
 
     def __init__(
@@ -78,6 +80,7 @@ class ChartSampler:
         density: float = 1.0,
         between: bool = False,
         resolve: float = 0.0,
+        sample: bool = True,
     ) -> None:
         self.system = system
         self.static_load = static_load
@@ -125,7 +128,7 @@ class ChartSampler:
             ),
         )
         self.periods = periods
-        self.data = [self._sample(panel) for panel in self.panels]
+        self.data = [self._sample(panel) for panel in self.panels] if sample else []
 
     def _longest_tongue(self, coupling: NDArray[Any]) -> float:
         """Return the period up to which the resonance table has tongues, with room to drift."""

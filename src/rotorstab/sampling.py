@@ -56,6 +56,12 @@ class Panel:
     load_nodes: int
     steps: int
 
+    @property
+    def work(self) -> float:
+        """Nodes times steps, NumPy's overhead included: what sampling it takes."""
+        sampled = self.period_nodes or self.columns.stop - self.columns.start
+        return (sampled * self.load_nodes + _CALL_OVERHEAD) * self.steps
+
 
 @cache
 def chebyshev_transform(count: int) -> Array:
@@ -173,9 +179,8 @@ def plan_panels(
         steps = max(1, int(np.ceil(rate * high)))
         if columns <= nodes and low >= resolve:
             nodes = 0
-        sampled = nodes or columns
         made = Panel(slice(start, stop), low, high, nodes, loads, steps)
-        return (sampled * loads + _CALL_OVERHEAD) * steps, made
+        return made.work, made
 
     # dynamic programming over the cuts
     best: list[tuple[float, tuple[Panel, ...]]] = [(0.0, ())]

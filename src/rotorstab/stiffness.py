@@ -62,23 +62,32 @@ def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:
     All four carry one common positive factor (e^{−|k|} in tension, against overflow),
     which cancels in every stiffness coefficient.
     """
-    small = np.abs(x) < _SERIES_BELOW
-    near = np.where(small, x, 0.0)
-    far = np.where(small, 1.0, x)
-    k = np.sqrt(np.abs(far))
-    decay = np.exp(-k)
-    stretched = far < 0
-    one = np.where(stretched, decay, 1.0)
-    cosine = np.where(stretched, (1 + decay**2) / 2, np.cos(k))
-    s = np.where(stretched, (1 - decay**2) / 2, np.sin(k)) / k
-    c = (one - cosine) / far
-    g = (s - cosine) / far
-    d = (2 * c - s) / far
-    # one product for the four series
-    powers = np.vander(near.ravel(), len(_ORDERS), increasing=True)
-    series = (powers @ _SERIES).T.reshape(4, *x.shape)
-    s, c, g, d = np.where(small, series, [s, c, g, d])
+    flat = x.ravel()
+    functions = np.empty((4, flat.size))
+    small = np.abs(flat) < _SERIES_BELOW
+    if small.any():
+        # one product for the four series
+        powers = np.vander(flat[small], len(_ORDERS), increasing=True)
+        functions[:, small] = (powers @ _SERIES).T
+    if not small.all():
+        functions[:, ~small] = _closed_forms(flat[~small])
+    s, c, g, d = functions.reshape(4, *x.shape)
     return s, c, g, d
+
+
+def _closed_forms(x: Array) -> Array:
+    """Return s, c, g and d (4, n) of `_entire_functions` where |x| is not small."""
+    k = np.sqrt(np.abs(x))
+    one, sine, cosine = np.ones_like(k), np.sin(k), np.cos(k)
+    stretched = x < 0
+    if stretched.any():
+        decay = np.exp(-k[stretched])
+        one[stretched] = decay
+        sine[stretched], cosine[stretched] = (1 - decay**2) / 2, (1 + decay**2) / 2
+    s = sine / k
+    c = (one - cosine) / x
+    g = (s - cosine) / x
+    return np.stack([s, c, g, (2 * c - s) / x])
 
 
 class PastPole(ValueError):

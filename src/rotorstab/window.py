@@ -15,6 +15,7 @@ from .bolotin import bolotin_mask
 from .finite_element import finite_element, first_modes
 from .outlines import Outline, unstable_outlines
 from .rotor import ShaftDisk
+from .sampler import ChartSampler
 from .stability import StabilityChart, stability_chart
 from .system import System, fundamental_frequency, lumped
 from .whirl import whirl_frequencies
@@ -55,6 +56,8 @@ MOST_WORK = {
     ("finite elements", False): 4000,
     ("finite elements", True): 2500,
 }
+# nodes times steps of a map (`Panel.work`): near the pole of the exact law they rise without end
+MOST_NODES = {False: 60_000, True: 2_000_000}  # moving, settled: 0.1 s and some 4 s at most
 # pixels of the growth map computed one by one, first those whose verdict is in doubt
 MOST_REFINED = {"lumped": 600, "finite elements": 60}
 LOWEST_EDGE = 0.4  # of ω_n: below it tongues crowd and the pixels alone show them
@@ -148,6 +151,36 @@ def followed(
     return kept & (cycles <= limit)
 
 
+def _affordable(
+    window: Window,
+    largest: float,
+    frequencies: NDArray[np.float64],
+    known: NDArray[np.bool_],
+    settled: bool,
+) -> NDArray[np.bool_]:
+    """Return the columns of some for which `MOST_NODES` suffice, the fastest loads first."""
+    model = window.model
+    system = model.system(window.spin_speed, window.tangency)
+    order = np.flatnonzero(known)[np.argsort(-frequencies[known], kind="stable")]
+    periods = 2 * np.pi / frequencies[order]
+    density = PIXELS[model.kind, settled][2]
+
+    def fits(count: int) -> bool:
+        plan = ChartSampler(
+            system, window.static_load, largest, periods[:count], density, sample=False
+        )
+        return sum(panel.work for panel in plan.panels) <= MOST_NODES[settled]
+
+    low, high = 0, len(order) + 1  # fits, does not fit
+    count = len(order)
+    while high - low > 1:
+        low, high = (count, high) if fits(count) else (low, count)
+        count = (low + high) // 2
+    kept = np.zeros_like(known)
+    kept[order[:low]] = True
+    return kept
+
+
 def _growth(
     window: Window,
     loads: NDArray[np.float64],
@@ -157,12 +190,16 @@ def _growth(
 ) -> StabilityChart:
     """Return the growth map, NaN where the load is too slow to be followed."""
     known = followed(window, frequencies, settled)
+    system = window.model.system(window.spin_speed, window.tangency)
+    inside = loads[window.static_load + loads < system.largest_load]
+    if known.any() and inside.size:
+        known = _affordable(window, float(inside.max()), frequencies, known, settled)
     shape = (len(loads), len(frequencies))
     nothing, no = np.full(shape, np.nan), np.zeros(shape, dtype=np.bool_)
     if not known.any():
         return StabilityChart(loads, frequencies, nothing, nothing, nothing, no, 0, 0)
     chart = stability_chart(
-        window.model.system(window.spin_speed, window.tangency),
+        system,
         window.static_load,
         loads,
         frequencies[known],
