@@ -210,3 +210,14 @@ def test_the_report_in_si_holds_the_verdict_in_si(result):
     assert as_html(words) in page
     buckling = result.numbers["buckling"] * SCALES.load
     assert f"{buckling:.6g}" in page
+
+
+def test_the_title_of_an_exported_map_names_the_unit_of_its_numbers():
+    state = State()
+    result = solve(state, False)
+    chart = result.charts["instability"]
+    numbers = result.numbers["fundamental"], result.numbers["reference"]
+    plain = chart_figure(chart, {})
+    si = chart_figure(in_si(chart, state.scales(), *numbers), {})
+    assert plain.title.endswith(f"growth rate σ̄ up to {plain.panels[0].grid.values.max():.3g}")
+    assert si.title.endswith(f"growth rate σ up to {si.panels[0].grid.values.max():.3g} 1/s")
