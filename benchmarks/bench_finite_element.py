@@ -205,7 +205,7 @@ def reduction(quick: bool) -> None:
             f"rotor: 95 % {np.quantile(growths, 0.95):.1e}, 99 % {np.quantile(growths, 0.99):.1e}, "
             f"largest {growths.max():.1e}"
         )
-        found, empty = edge_errors(cases[: 4 if quick else 20])
+        found, empty = edge_errors(cases[: 2 if quick else 8])
         print(f"Edges as the dashboard draws them ({empty} windows have none):")
         for step, number in zip([*(f"{one:g}" for one in STEPS), "more"], found, strict=True):
             print(f"  within {step:<8}{number:>6}")
