@@ -234,7 +234,7 @@ def test_only_the_page_its_socket_and_its_files_are_reached(lab):
         "/static/..%2fmetrics",
         "/static//../metrics",
         "/admin",
-        "/app/",
+        "/app/x",
         "/_errors/full.html",
     ):
         status, headers, page = lab.get(path)
@@ -319,11 +319,12 @@ def test_what_nginx_answers_by_itself_is_our_page(lab, request_, status):
 
 
 def test_the_redirect_has_the_headers_too_and_keeps_the_query(lab):
-    status, headers, _ = lab.get("/?spin=1")
-    assert status == 302
-    assert headers["Location"] == "/app?spin=1"
-    assert headers["X-Frame-Options"] == "DENY"
-    assert headers["Strict-Transport-Security"] is None
+    for path in ("/", "/app/"):
+        status, headers, _ = lab.get(f"{path}?spin=1")
+        assert status == 302
+        assert headers["Location"] == "/app?spin=1"
+        assert headers["X-Frame-Options"] == "DENY"
+        assert headers["Strict-Transport-Security"] is None
 
 
 @pytest.mark.browser
@@ -924,7 +925,7 @@ def test_below_a_path_of_another_name_everything_is_found(behind):
     def ask(path):
         return eventually(behind.outer, path, behind.trusted)
 
-    for path in ("/rotorstab", "/rotorstab/"):
+    for path in ("/rotorstab", "/rotorstab/", "/rotorstab/app/"):
         status, headers, _ = ask(f"{path}?spin=1")
         assert status == 302
         assert headers["Location"].removeprefix(f"https://localhost:{behind.outer}") == (
