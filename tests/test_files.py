@@ -194,10 +194,16 @@ def test_a_figure_with_floquet_is_computed_by_another_process(own, monkeypatch):
     wanted = Files(page, told.append, State())
     request = {"format": "json", "number": 8, "floquet": True}
     assert "making" in wanted.start(export(Paper(), State(), request))["told"]
-    page.turn()
-    page.turn()
-    assert told[-1]["file"]["name"] == "rotorstab-figure-8-floquet.json"
-    table = json.loads(base64.b64decode(told[-1]["file"]["base64"]))
+    shown = Paper().handle({"type": "figure", "number": 8, "floquet": True}, State())
+    assert wanted.start(shown)["told"] == "computing figure 8 with Floquet …"
+    for _ in range(4):
+        page.turn()
+    (file,) = (one["file"] for one in told if "file" in one)
+    assert file["name"] == "rotorstab-figure-8-floquet.json"
+    (words,) = (one["figure"] for one in told if "figure" in one)
+    assert (words["number"], words["floquet"]) == (8, True)
+    assert any("<svg" in one["picture"]["svg"] for one in told if "picture" in one)
+    table = json.loads(base64.b64decode(file["base64"]))
     assert table["parameters"] == dict(paper_figure(8, True).parameters)
 
 

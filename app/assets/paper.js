@@ -92,7 +92,8 @@ window.rotorstab.paper = (() => {
 
   return {
     answer(data) {
-      if (data.figure) show(data.figure);
+      // one with Floquet may come after another was asked for
+      if (data.figure && data.figure.number === current && (data.figure.floquet === floquet() || !data.figure.has_floquet)) show(data.figure);
       if (data.table_1) place("table").replaceChildren(...data.table_1.map((cells) => row(cells, 1)));
       if (data.picture) picture(data.picture);
       if (data.file) save(data.file);

@@ -126,4 +126,6 @@ class Paper(Page):
                 },
             )
 
-        return Reply(then=(figure_need(number, floquet), answer))
+        need = figure_need(number, floquet)
+        words = {} if need is None else {"told": f"computing figure {number} with Floquet …"}
+        return Reply(words, then=(need, answer))
