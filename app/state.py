@@ -160,14 +160,13 @@ def _short(name: Any) -> str:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """Return a valid value as Python's bool, float or str; rounding past a bound is cut off."""
+    """Return a valid value as Python's bool, float or str."""
     parameter = State.param[name]
     if isinstance(parameter, param.Boolean):
         return bool(value)
     if isinstance(parameter, param.Selector):
         return value
-    low, high = parameter.bounds
-    return min(max(float(value), low), high)
+    return float(value)
 
 
 def _problem(name: Any, value: Any) -> str:
@@ -186,8 +185,7 @@ def _problem(name: Any, value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         return allowed
     # the comparison is exact for integers of any length and false for nan
-    slack = _ROUNDING * (high - low)
-    return "" if low - slack <= value <= high + slack else allowed
+    return "" if low <= value <= high else allowed
 
 
 def _values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:

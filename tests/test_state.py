@@ -314,20 +314,17 @@ def test_a_range_of_just_0_4_is_taken(ends):
     assert state.change({"highest_frequency": high - 0.001}) != {}
 
 
-def test_numpy_s_numbers_are_numbers_and_rounding_past_a_bound_is_cut_off():
+def test_numpy_s_numbers_and_truth_values_are_taken():
     state = State()
     values = {
         "spin_speed": np.int64(2),
         "shear": np.float32(0.05),
         "show_bolotin": np.True_,
-        "external_damping": 0.2 + 1e-12,
     }
     assert state.change(values) == {}
     assert type(state.spin_speed) is float
     assert state.show_bolotin is True
-    assert state.external_damping == 0.2
     assert set(state.change({"spin_speed": np.True_, "show_growth": np.int64(1)})) == {
         "spin_speed",
         "show_growth",
     }
-    assert "external_damping" in state.change({"external_damping": 0.2001})
