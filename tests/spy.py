@@ -15,7 +15,7 @@ import numpy as np
 
 import app
 from app.state import State
-from rotorstab import ShaftDisk, System, critical_load, flutter_load, lumped
+from rotorstab import ResonanceTable, ShaftDisk, System, critical_load, flutter_load, lumped
 from rotorstab import fundamental_frequency as frequency_of
 
 # modules of the library that draw or write; what they get has been through the solver
@@ -76,6 +76,8 @@ LIMITS |= {name: (0.0, 1e300) for name in ("youngs_modulus", "shear_modulus", "d
 
 def check(name, value, depth=0, limits=LIMITS):
     """Raise where a number in a value is not finite or out of its range."""
+    if isinstance(value, ResonanceTable):
+        return  # an answer of the solver: a pair without a tongue has an infinite threshold
     if isinstance(value, ShaftDisk):
         for field in ("shear", "disk_mass", "diametral_inertia", "polar_inertia"):
             check(field, getattr(value, field))
