@@ -1,8 +1,9 @@
 """A hostile client beside an honest one: does the server live, leak or slow down?
 
-One client, a process of its own, sends malformed messages, then messages full of hostile values,
-as fast as it is let; a bystander moves a slider all the while. The solver inside the server is
-spied on: every number that reaches it must be finite and within State's bounds (`tests/spy.py`).
+One client, a process of its own, sends malformed messages, messages full of hostile values and the
+dearest questions that are allowed, holds idle connections and asks for files, as fast as it is
+let; a bystander moves a slider all the while. The solver inside the server is spied on: every
+number that reaches it must be finite and within State's bounds (`tests/spy.py`).
 All streams are seeded.
 """
 
@@ -19,6 +20,8 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
+
+from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 
 from benchmarks.classroom.client import User
 from tests import hostile
@@ -135,6 +138,57 @@ async def values(server, page, count):
     return told, unanswered
 
 
+# each takes the thread long: finite elements, damping, the exact law near its pole, slow loads
+DEAR = (
+    {"model": "finite elements", "internal_damping": 0.1, "highest_frequency": 16.0},
+    {"model": "lumped", "law": "exact", "load_type": "follower", "largest_factor": 2.0},
+    {"external_damping": 0.05, "lowest_frequency": 0.1, "highest_frequency": 16.0},
+)
+
+
+async def dear_questions(server, page, count):
+    """Ask for one dear picture after another, each of values that nobody has asked for."""
+    rng, told, unanswered, sent = random.Random(SEED + 2), [], 0, 0
+    while sent < count:
+        async with opened(server, PATH, page) as wire:
+            await wire.pull()
+            while sent < count and wire.connection.close_code is None:
+                sent += 1
+                values = rng.choice(DEAR) | {"spin_speed": rng.uniform(0, 4)}
+                answer = None
+                with contextlib.suppress(Exception):
+                    answer = await wire.ask({"type": "change", "values": values})
+                unanswered += answer is None
+            told += leaks(wire)
+    return told, unanswered
+
+
+async def idle_connections(server, page, count):
+    """Hold so many connections on which nothing is sent; return those that were closed."""
+    pairs = []
+    for _ in range(count):
+        with contextlib.suppress(OSError):
+            pairs.append(await asyncio.open_connection("127.0.0.1", server.port))
+    await asyncio.sleep(20)
+    closed = count - len(pairs) + sum(reader.at_eof() for reader, _ in pairs)
+    for _, writer in pairs:
+        writer.close()
+    return [], closed
+
+
+async def random_versions(server, page, count):
+    """Ask for heads of a file, each of a version that never was; return those without an answer."""
+    rng, lost = random.Random(SEED + 3), 0
+    for _ in range(count):
+        path = f"/static/js/bokeh.min.js?v={rng.getrandbits(64):x}"
+        request = HTTPRequest(f"http://127.0.0.1:{server.port}{path}", method="HEAD")
+        try:
+            await AsyncHTTPClient().fetch(request)
+        except Exception:
+            lost += 1
+    return [], lost
+
+
 def attack(stream, port, origin, page, count):
     """Run a stream of a hostile client; in a process of its own its work is not the bystander's."""
     return asyncio.run(stream(Address(port, origin), page, count))
@@ -153,6 +207,9 @@ async def abuse(server, wanted_values, wanted_messages):
     for name, count, stream in (
         ("malformed messages", wanted_messages, malformed),
         ("hostile values", wanted_values, values),
+        ("dear questions", wanted_values // 250, dear_questions),
+        ("idle connections", 1200, idle_connections),
+        ("heads of files of random versions", wanted_messages // 10, random_versions),
     ):
         work = loop.run_in_executor(pool, attack, stream, server.port, server.origin, page, count)
         start = time.perf_counter()
