@@ -79,6 +79,8 @@ class FloquetAnswer:
         θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
     ends_at : float
         β_d above which the map is blank, since the exact law ends; inf where it does not.
+    unknown_share : float
+        Share of the other pixels that are blank: the growth within a period is too strong there.
     """
 
     table: ResonanceTable
@@ -92,6 +94,7 @@ class FloquetAnswer:
     settled: bool = True
     followed_from: float = 0.0
     ends_at: float = math.inf
+    unknown_share: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +113,13 @@ def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> floa
         return 0.0
     shown = growth.excitation_frequencies[known]
     return float(shown.min()) / fundamental_frequency if shown.size else np.inf
+
+
+def _unknown_share(growth: StabilityChart) -> float:
+    """Return the share of blank pixels in the rows and columns that are not blank as a whole."""
+    known = np.isfinite(growth.growth)
+    inside = known[np.ix_(known.any(axis=1), known.any(axis=0))]
+    return float(1 - inside.mean()) if inside.size else 0.0
 
 
 def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[str, float]:
@@ -230,6 +240,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             settled=bool(settled),
             followed_from=_followed_from(growth, frequency),
             ends_at=ends_at if ends_at < top else math.inf,
+            unknown_share=_unknown_share(growth),
         ),
     )
 

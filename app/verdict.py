@@ -113,15 +113,18 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     return text + "."
 
 
+_SLIVER = 0.02  # share of the window that may be blank without a word
+
+
 def _is_slow(answer: FloquetAnswer) -> bool:
     """Whether the slowest loads of the window, more than a sliver, are blank."""
     low, high = answer.frequency_range
-    return answer.followed_from > low + 0.02 * (high - low)
+    return answer.followed_from > low + _SLIVER * (high - low)
 
 
 def _is_part(answer: FloquetAnswer) -> bool:
     """Whether more than a sliver of the window is blank."""
-    return _is_slow(answer) or math.isfinite(answer.ends_at)
+    return _is_slow(answer) or math.isfinite(answer.ends_at) or answer.unknown_share > _SLIVER
 
 
 def _blank(answer: FloquetAnswer) -> str:
@@ -133,12 +136,17 @@ def _blank(answer: FloquetAnswer) -> str:
             f" Above β_d = {answer.ends_at:.3g} the map is blank: a shaft clamped at both ends "
             "buckles under such a load, and the exact stiffness law ends there."
         )
+    if answer.unknown_share > _SLIVER:
+        words += (
+            f" {_percent(answer.unknown_share)} of the map is blank: within one period of the load the "
+            "whirl grows too much there for its rate to be known."
+        )
     if not _is_slow(answer):
         return words
     where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
     return words + (
-        f" {where} the map is blank: the shaft whirls too often in one period of so slow a load "
-        "to be followed in time."
+        f" {where} the map is blank: in one period of so slow a load the shaft whirls too often, or "
+        "its whirl grows too much, to be followed in time."
     )
 
 

@@ -69,6 +69,28 @@ def test_shares_are_of_the_computed_part():
     assert f"yet the map shows growth from β_d = {answer.unstable_from:.3f}" in words
 
 
+def test_growth_too_strong_for_the_map_is_named():
+    """Ten times the buckling load: the map once drew noise there, then blamed slow loads."""
+    strong = {
+        "shear": 0.0,
+        "disk_mass": 20.0,
+        "diametral_inertia": 0.03,
+        "polar_inertia": 0.0,
+        "spin_speed": 1.0,
+        "load_type": "follower",
+        "reference": "flutter",
+        "law": "exact",
+        "largest_factor": 0.8,
+    }
+    _, result = solved(strong, settled="map")
+    assert result.floquet.unknown_share > 0.05
+    words = verdict(result.floquet)
+    assert "grows too much there for its rate to be known" in words
+    _, result = solved({}, settled="map")
+    assert result.floquet.unknown_share == 0
+    assert "blank" not in verdict(result.floquet)
+
+
 def test_nothing_computed_gives_no_share():
     small = {"diametral_inertia": 0.01, "spin_speed": 4, "polar_inertia": 6}
     _, result = solved(small | {"highest_frequency": 0.5}, settled=False)
