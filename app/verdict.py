@@ -138,15 +138,15 @@ def _blank(answer: FloquetAnswer) -> str:
         )
     if answer.unknown_share > _SLIVER:
         words += (
-            f" {_percent(answer.unknown_share)} of the map is blank: within one period of the load the "
-            "whirl grows too much there for its rate to be known."
+            f" {_percent(answer.unknown_share)} of the map is blank: within one period of the load "
+            "the whirl grows too much there for its rate to be known."
         )
     if not _is_slow(answer):
         return words
     where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
     return words + (
-        f" {where} the map is blank: in one period of so slow a load the shaft whirls too often, or "
-        "its whirl grows too much, to be followed in time."
+        f" {where} the map is blank: in one period of so slow a load the shaft whirls too often, "
+        "or its whirl grows too much, to be followed in time."
     )
 
 
