@@ -2,11 +2,18 @@
 
 import gc
 import math
+import subprocess
+import sys
 import tracemalloc
+from collections.abc import Sized
+from contextlib import suppress
+from itertools import product
 
+import pint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pint.util import ParserHelper
 
 from app.quantities import DIMENSIONS, quantity
 
@@ -27,7 +34,7 @@ SPELLED = {
         0.0136: "0.0136 kg m^2;0.0136 kgm²;0.0136 kgm2;0.0136 kg·m²;0.0136 kg*m^2;0.0136 kg.m^2;"
         "0.0136 kg.m2;0.0136 kg-m^2;0.0136 kg m2;0.0136 KG-M2;0.0136 kg⋅m²;0.0136 kg × m²;"
         "136 kgcm²;136 kg cm^2;13600 kgmm²;13600 kg mm2;136000 g·cm²;0.0136 N m s^2;"
-        "13.6 g m²",
+        "13.6 g m²;0.0136 (kg m^2);0.0136 (kg)(m²);0.0136 N m/(s^-2);0.0136 kg/(s^2/m^2 s^-2)",
         POUND * INCH**2: "1 lb-in^2;1 lbm-in^2;1 lb in^2;1 lb·in²;1 lbm in2;1 lb in²;1 lbin²;"
         "1 LB-IN^2;1 pound inch^2;1 lb.in^2;1 in²·lb;1 lbs-in^2",
         POUND * (12 * INCH) ** 2: "1 lb-ft^2;1 lb ft²;1 lbm*ft^2;1 lbft2",
@@ -49,6 +56,7 @@ SPELLED = {
     "modulus": {
         207e9: "207 GPa;207 gpa;207 GPA;207000 MPa;207000 Mpa;207000 mpa;207e9 Pa;207000 N/mm^2;"
         "207000 N/mm²;207000 N/mm2;207 kN/mm²;207000 N mm^-2;207e9 N/m^2;207e9 N/(m^2);207 GN/m²;"
+        "207e9 kg/(m s^2);207e9 kg/(m·s²);207e9 (kg m)/(m² s²);207e9 N/m/(m);"
         "207000 MN/m^2;2.07e6 bar;2070 kbar;207 gigapascal;207e9 kg/m/s²;207e9 kg m^-1 s^-2",
         POUND * GRAVITY / INCH**2 * 1e6: "1 Msi;1 Mpsi;1000 ksi;1000 kpsi;1e6 psi;1e6 PSI;"
         "1e6 lb/in^2;1e6 lbf/in²;1e6 lbf/in2;1000 kip/in^2",
@@ -106,6 +114,10 @@ REFUSED = [
     ("1 kg/(m^3", "density", "has no unit that is known"),
     ("1 kg/((m)^3)", "density", "has no unit that is known"),
     ("1 kg/m^3)", "density", "has no unit that is known"),
+    ("1 (kg m)^2", "inertia", "has no unit that is known"),
+    ("1 N/(m)^2", "modulus", "has no unit that is known"),
+    ("1 N/(m) 2", "modulus", "has no unit that is known"),
+    ("1 N/(m2", "modulus", "has no unit that is known"),
     ("1 /", "density", "has no unit that is known"),
     ("1 ()", "length", "has no unit that is known"),
     ("1 1", "length", "is not one number and one unit"),
@@ -166,3 +178,38 @@ def test_no_text_is_kept():
     finally:
         tracemalloc.stop()
     assert grown < 60_000  # 40 bytes a text; a cache of units kept 1.1 kB of each
+
+
+def test_pint_keeps_no_text_and_no_product_of_units():
+    quantity("1 kg m^2", "inertia")
+    (registry,) = (one for one in gc.get_objects() if type(one) is pint.UnitRegistry)
+
+    def sizes():  # pint has no public name for its caches
+        held = {**vars(registry), **vars(registry._cache)}
+        found = {name: len(one) for name, one in held.items() if isinstance(one, Sized)}
+        return found | {"parsed": ParserHelper.from_string.cache_info().currsize}
+
+    words = ("kg", "lb", "slug", "mm", "in", "ft", "min", "s", "rad", "rev", "N", "lbf", "GPa")
+    powers = (-3, -2, -1, 2, 3)
+    units = [
+        f"{first}{power} {second}/{third}^{other}"
+        for first, second, third in product(words, repeat=3)
+        for power, other in product(powers, repeat=2)
+    ][::10]
+    texts = {f"1 {unit}" for unit in units} | {f"1 {unit} q{unit[:2]}" for unit in units}
+    assert len(texts) > 10_000
+    before = sizes()
+    assert {"root_units", "dimensionality", "parse_unit", "conversion_factor"} <= set(before)
+    for text in texts:
+        with suppress(ValueError):
+            quantity(text, "inertia")
+    assert sizes() == before
+
+
+def test_pint_is_loaded_with_the_first_quantity_and_not_with_the_page():
+    code = (
+        "import sys, app.pages.explore; from app.quantities import quantity; "
+        "before = 'pint' in sys.modules; quantity('1 m', 'length'); "
+        "sys.exit(before or 'pint' not in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
