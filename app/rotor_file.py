@@ -10,15 +10,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from typing import Any, NoReturn
+from typing import Any
 
 from rotorstab import ShaftDisk
 from rotorstab.materials import MATERIALS, material_named, shear_coefficient
 
-from .foreign_toml import read_toml
-from .quantities import quantity
+from .checked_tables import Tables, shown
 from .state import SI_INPUTS, SYMBOLS, State
-from .typed_number import printable, read_number
 
 __all__ = ["LARGEST_FILE", "read_rotor_file", "write_rotor_file"]
 
@@ -89,89 +87,12 @@ def _out_of_range(name: str, value: Any, problem: str) -> str:
     return f"gives {SYMBOLS[name]} = {given}, which {problem}"
 
 
-def _shown(value: object) -> str:
-    """Return a foreign value as one short line."""
-    try:
-        return printable(repr(value)[:99])
-    except ValueError:  # Python writes no integer of thousands of digits
-        return "a number of thousands of digits"
-
-
-def _lines(text: str) -> dict[str, int]:
-    """Return the line of every table and key as it is usually written."""
-    found: dict[str, int] = {}
-    table = ""
-    for number, line in enumerate(text.splitlines(), 1):
-        if match := re.match(r"\s*\[\s*([\w-]{1,40})\s*\]", line):
-            table = match[1]
-            found.setdefault(table, number)
-        elif match := re.match(r"\s*([\w-]{1,40})(?:\s*\.\s*([\w-]{1,40}))?\s*=", line):
-            keys = [key for key in (table, match[1], match[2]) if key]
-            found.setdefault(".".join(keys), number)
-            found.setdefault(keys[0], number)
-    return found
-
-
-class _Reader:
+class _Reader(Tables):
     """Reads the tables of one file; `origins` tells which key gave an input."""
 
     def __init__(self, text: str) -> None:
-        self.lines = _lines(text)
-        self.tables = read_toml(text)
+        super().__init__(text, _KEYS)
         self.origins: dict[str, str] = {}
-
-    def sentence(self, key: str, problem: str) -> str:
-        """Return a problem of a key, such as "shaft.length", with its line."""
-        line = self.lines.get(key) or self.lines.get(key.partition(".")[0])
-        where = f"line {line}: " if line else ""
-        return f"{where}{printable(key, 80)} {problem}"
-
-    def fail(self, key: str, problem: str) -> NoReturn:
-        """Refuse the file because of a key."""
-        raise ValueError(self.sentence(key, problem))
-
-    def table(self, name: str) -> Mapping[str, Any]:
-        """Return a table with known keys only."""
-        found = self.tables[name]
-        if not isinstance(found, dict):
-            self.fail(name, f"must be a table, [{name}]")
-        for key in found:
-            if key not in _KEYS[name]:
-                self.fail(f"{name}.{key}", f"is unknown; [{name}] takes {', '.join(_KEYS[name])}")
-        return found
-
-    def need(self, name: str, keys: tuple[str, ...]) -> None:
-        """Refuse a table that lacks a key."""
-        for key in keys:
-            if key not in self.tables[name]:
-                self.fail(name, f"lacks {key}")
-
-    def quantity(self, path: str, value: object, kind: str) -> float:
-        """Return a quantity in SI."""
-        try:
-            return quantity(value, kind)
-        except ValueError as error:
-            self.fail(path, printable(str(error), 250))
-
-    def positive(self, path: str, value: object, kind: str, zero: bool = False) -> float:
-        """Return a quantity in SI that is above 0, or 0 where `zero` allows it."""
-        found = self.quantity(path, value, kind)
-        if found < 0 or (found == 0 and not zero):
-            allowed = "0 or more" if zero else "more than 0"
-            self.fail(path, f"must be {allowed}; {_shown(value)} is not")
-        return found
-
-    def number(self, path: str, value: object) -> float:
-        """Return a plain finite number, which may be a text."""
-        if isinstance(value, str):
-            try:
-                value = read_number(value)
-            except ValueError as error:
-                self.fail(path, f"must be a plain number; {error}")
-        plain = isinstance(value, int | float) and not isinstance(value, bool)
-        if not plain or not -1e100 < value < 1e100:  # type: ignore[operator]
-            self.fail(path, f"must be a plain number; {_shown(value)} is not one")
-        return float(value)  # type: ignore[arg-type]
 
     def values(self) -> dict[str, Any]:
         """Return the state's inputs."""
@@ -204,7 +125,7 @@ class _Reader:
                     polar_inertia=given["polar_inertia"],
                 )
             except (ValueError, OverflowError, ZeroDivisionError):
-                written = _shown(self.tables["shaft"]["diameter"])
+                written = shown(self.tables["shaft"]["diameter"])
                 self.fail(
                     "shaft.diameter",
                     f"does not fit the length: {written} is {shaft['diameter']:.4g} m, "
@@ -290,7 +211,7 @@ class _Reader:
         material = material_named(given) if isinstance(given, str) else None
         if material is None:
             words = ", ".join(MATERIALS)
-            self.fail(f"{name}.material", f"must be one of {words}; {_shown(given)} is not")
+            self.fail(f"{name}.material", f"must be one of {words}; {shown(given)} is not")
         for key in instead:
             if key in table:
                 self.fail(f"{name}.{key}", "cannot stand beside material, which gives it")
@@ -342,7 +263,7 @@ class _Reader:
                 kind = value.strip().casefold() if isinstance(value, str) else ""
                 if kind not in State.param.load_type.objects:
                     words = ", ".join(State.param.load_type.objects)
-                    self.fail(path, f"must be one of {words}; {_shown(value)} is not")
+                    self.fail(path, f"must be one of {words}; {shown(value)} is not")
                 found[key] = kind
             elif key == "spin_speed" and (units or _HAS_UNIT.search(str(value)[:99])):
                 if frequency is None:
