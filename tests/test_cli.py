@@ -160,7 +160,7 @@ def test_regions_can_be_drawn(tmp_path):
         (["whirl", "--model", "exact", "--load", "50"], "pole of the exact stiffness"),
         (["whirl", "--model", "finite-element", "--modes", "99"], "`modes` must be in [2, 40]"),
         (["whirl", "--disk-mass", "0"], "`disk_mass` must be in (0, inf), got 0"),
-        (["regions", "--static-factor", "0,1,2,3"], "must be in [1, 3], got 4"),
+        (["regions", "--static-factor", "0,1,2,3"], "must have 1 to 3 values, got 4"),
         (["regions", "--external-damping", "0.1"], "must be undamped"),
         (["regions", "--largest-factor", "0"], "`largest_factor` must be in (0, inf), got 0"),
     ],

@@ -48,7 +48,7 @@ def test_a_full_disk_leaves_no_part_of_a_file(tmp_path, monkeypatch, capsys, at)
     kept = tmp_path / "kept.csv"
     kept.write_text("old")
     for target, more in ((tmp_path / "new.csv", []), (kept, ["--force"])):
-        code = cli.main(["whirl", "--load", "0,1", "--output", str(target), *more])
+        code = cli.main(["whirl", "--load", "0:1:2", "--output", str(target), *more])
         words = capsys.readouterr().err
         assert code == 2
         assert "No space left on device" in words
