@@ -15,12 +15,16 @@ __all__ = ["MOST_LEVELS", "TomlError", "read_toml"]
 
 MOST_LEVELS = 8
 """Largest number of parts of a dotted key, and of brackets within brackets."""
+# A text may end with two quotes more than close it. One that is not closed reaches to its end,
+# where tomllib stops as well. Each character is then looked at once: the time grows with the
+# length, not with its square.
 _TEXT_OR_COMMENT = re.compile(
-    r'"""(?:\\.|[^\\])*?"""|\'\'\'.*?\'\'\'|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\'|#[^\n]*', re.DOTALL
+    r'"""(?:\\.|[^\\])*?(?:"{3,5}|\\?\Z)|\'\'\'.*?(?:\'{3,5}|\Z)'
+    r'|"(?:\\.|[^"\\\n])*(?:"|(?=\n)|\\?\Z)|\'[^\'\n]*(?:\'|(?=\n)|\Z)|#[^\n]*',
+    re.DOTALL,
 )
 _PART = r'(?:[^\s.,=\[\]{}"]+|"")'
 _DOTTED = re.compile(rf'(?<![^\s.,=\[\]{{}}"]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{MOST_LEVELS}}}')
-_VALUE = re.compile(r"[^=]*=\s*(.*?)\s*(?:#.*)?$")
 
 
 class TomlError(ValueError):
@@ -59,8 +63,7 @@ def _advice(line: str) -> str:
     """Say what a line that is not TOML should be, where that is plain; else nothing."""
     if quote := re.search("[“”„«»‘’]", line):
         return f'write straight quotes, " instead of {quote[0]}'
-    found = _VALUE.match(line)
-    value = found[1] if found else ""
+    value = line.partition("=")[2].partition("#")[0].strip()
     if re.fullmatch(r"[+-]?\d{4301,}", value):
         return "a number has too many digits"
     if len(value) > 60:

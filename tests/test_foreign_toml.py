@@ -1,5 +1,6 @@
 """TOML from outside: bounded before it is parsed, and its faults said in words."""
 
+import signal
 import tomllib
 import tracemalloc
 
@@ -21,7 +22,9 @@ BOMBS = {
     "literal keys": ".".join(["'a'"] * (ROOM // 4)) + "=1",
     "inline table": "b={" + ".".join("a" * (ROOM // 2)) + "=1}",
     "after a text": 'b="""x"""\n' + ".".join("a" * (ROOM // 2)) + "=1",
-    "after a text with quotes": 'b="""x\\"""" """\n' + ".".join("a" * (ROOM // 2)) + "=1",
+    "after a text with quotes": 'b="""x\\"""""\n' + ".".join("a" * (ROOM // 2)) + "=1",
+    "within texts with quotes": 'b=["""x"""", {' + ".".join("a" * (ROOM // 2)) + '="1"}]',
+    "within literal texts with quotes": "b=['''x'''', {" + ".".join("a" * (ROOM // 2)) + "='1'}]",
     "arrays": "a=" + "[" * (ROOM // 2) + "]" * (ROOM // 2),
     "inline tables": "a=" + "{a=" * (ROOM // 4) + "1" + "}" * (ROOM // 4),
     "many of nine": "\n".join(f"{'.'.join('abcdefghi')}{n}=1" for n in range(ROOM // 24)),
@@ -64,6 +67,34 @@ def test_the_worst_that_is_parsed_stays_small(text):
     finally:
         tracemalloc.stop()
     assert peak < 10e6  # a bomb of the same length took hundreds
+
+
+LONG = 100_000  # characters; the square of it is minutes of work
+FLAT = {
+    "spaces in a value": "a=1" + " " * LONG + "m",
+    "spaces between words": "a=1 b" + (" " * 9 + "x") * (LONG // 10),
+    "escaped quotes in a long text": 'a="""' + '\\"' * (LONG // 2),
+    "escaped quotes in a text": 'a="' + '\\"' * (LONG // 2),
+    "long texts that are not closed": "a=" + "'''\"\n" * (LONG // 5) + "''",
+    "quotes of both kinds": "a=" + "\"'" * (LONG // 2),
+    "spaces between dots": "a" + " " * LONG + ".b" + " " * LONG,
+    "no equals sign": "a " * (LONG // 2),
+}
+
+
+@pytest.mark.parametrize("text", FLAT.values(), ids=FLAT)
+def test_the_work_does_not_grow_with_the_square_of_the_length(text):
+    def give_up(number, frame):
+        raise RuntimeError("the work grows with the square of the length")
+
+    before = signal.signal(signal.SIGVTALRM, give_up)
+    signal.setitimer(signal.ITIMER_VIRTUAL, 10)
+    try:
+        with pytest.raises(ValueError, match=r"^line "):
+            read_toml(text)
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 def test_what_teachers_and_technicians_write_is_no_bomb():
