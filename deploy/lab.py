@@ -199,6 +199,7 @@ def main() -> None:
         if not settings.upstream:
             os.environ["BOKEH_SECRET_KEY"] = find_secret(settings, make=True)
         check_port(settings)
+        check_port(settings, "ROTORSTAB_HTTP_PORT")  # nginx's alone; the workers do not look
     except SettingError as problem:
         stop(problem)
     binary = nginx.find_nginx()

@@ -821,6 +821,26 @@ def test_with_tls_a_listed_number_is_served():
         assert handshake(port, certificate, "192.0.2.1") == b""
 
 
+def test_with_tls_the_launcher_serves_pages_and_sends_http_on(tmp_path):
+    """Workers once found the second port in use, by nginx, and everything ended."""
+    files = [str(tmp_path / name) for name in ("key.pem", "certificate.pem")]
+    certify(*files)
+    plain = free_port()
+    lab = Lab(
+        tmp_path,
+        ROTORSTAB_TLS_KEY=files[0],
+        ROTORSTAB_TLS_CERTIFICATE=files[1],
+        ROTORSTAB_HTTP_PORT=str(plain),
+    )
+    try:
+        lab.wait()
+        assert eventually(lab.port, "/app", ssl.create_default_context(cafile=files[1]))[0] == 200
+        status, headers, _ = eventually(plain, "/app?spin=1", None)
+        assert (status, headers["Location"]) == (301, f"https://localhost:{lab.port}/app?spin=1")
+    finally:
+        lab.stop()
+
+
 def handshake(port, certificate, host="127.0.0.1"):
     """The first bytes of the answer to a client that names no host in its handshake."""
     trusted = ssl.create_default_context(cafile=certificate)

@@ -256,14 +256,17 @@ def read(environment: Mapping[str, str] = os.environ) -> Settings:
     return Settings(**found)
 
 
-def check_port(settings: Settings) -> None:
-    """Raise SettingError where the address or a port cannot be had."""
-    for name, port in (("PORT", settings.port), ("ROTORSTAB_HTTP_PORT", settings.http_port)):
-        if port:
-            _check_port(name, settings.address, port)
-
-
-def _check_port(name: str, address: str, port: int) -> None:
+def check_port(settings: Settings, name: str = "PORT") -> None:
+    """Raise SettingError where the address or the port of a setting cannot be had; 0 is none."""
+    address, port = (
+        settings.address,
+        {
+            "PORT": settings.port,
+            "ROTORSTAB_HTTP_PORT": settings.http_port,
+        }[name],
+    )
+    if not port:
+        return
     where = f"{name} {port} of {address}"
     reasons = {
         errno.EADDRINUSE: f"{where} is in use",
