@@ -131,11 +131,12 @@ class State(Inputs):
         high = good.get("highest_frequency", self.highest_frequency)
         # 0.6 − 0.2 is less than 0.4 by rounding
         if high - low < _SHORTEST_RANGE - _ROUNDING:
-            for name in ("lowest_frequency", "highest_frequency"):
+            for name, rule in (
+                ("lowest_frequency", "be below the highest"),
+                ("highest_frequency", "exceed the lowest"),
+            ):
                 if good.pop(name, None) is not None:
-                    errors[name] = (
-                        f"the highest θ/ωₙ must exceed the lowest by {_SHORTEST_RANGE:g} or more"
-                    )
+                    errors[name] = f"must {rule} by {_SHORTEST_RANGE:g} or more"
         if "tangency" in good:
             # the slider means a partly follower load
             good.setdefault("load_type", "partly")

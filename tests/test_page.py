@@ -215,7 +215,7 @@ def test_a_number_out_of_range_is_refused_at_the_control(page, typed):
     box.press("Enter")
     error = error_of(page, "spin_speed")
     error.filter(has_text="must be a number from 0 to 4").wait_for()
-    assert box.get_attribute("aria-invalid") is not None
+    assert box.get_attribute("aria-invalid") == "true"
     assert error.get_attribute("id") in box.get_attribute("aria-describedby")
     assert page.evaluate("rotorstab.last.values.spin_speed") == 2.0
     assert shown(page) == before
@@ -243,8 +243,48 @@ def test_the_servers_refusal_is_shown_at_the_control(page):
     box.fill("20")
     box.press("Enter")
     words = error_of(page, "lowest_frequency")
-    words.filter(has_text="must exceed the lowest").wait_for()
+    words.filter(has_text="Lowest frequency must be below the highest by 0.4 or more").wait_for()
     assert page.evaluate("rotorstab.last.values.lowest_frequency") == 0
+
+
+def refuse(page, name, typed):
+    box = page.locator(f".box[aria-describedby~=rs-{name}-error]")
+    box.fill(typed)
+    box.press("Tab")
+    error_of(page, name).filter(has_text="must be").wait_for()
+    return box
+
+
+@pytest.mark.parametrize(
+    ("name", "typed"),
+    [("lowest_frequency", "20"), ("disk_mass", "abc"), ("shaft_length", "-1")],
+    ids=["by the server", "a number", "a quantity"],
+)
+def test_a_refusal_stays_when_answers_to_other_changes_come(page, name, typed):
+    open_groups(page)
+    before = page.evaluate(f"rotorstab.last.values.{name}")
+    box = refuse(page, name, typed)
+    for step in range(2):
+        drag(page, "spin_speed", 0.3 + 0.2 * step)
+        settle(page)
+    assert page.evaluate(f"rotorstab.last.values.{name}") == before
+    assert "must be" in error_of(page, name).text_content()
+    assert box.input_value() == typed
+    assert box.get_attribute("aria-invalid") == "true"
+    if name != "shaft_length":
+        assert float(page.locator(f"#rs-{name}").input_value()) == before
+
+
+@pytest.mark.parametrize("way", ["reset", "preset"])
+def test_a_refusal_goes_with_values_that_replace_all(page, way):
+    box = refuse(page, "disk_mass", "abc")
+    if way == "reset":
+        page.get_by_role("button", name="Reset all").click()
+    else:
+        page.locator("#rs-preset").select_option(index=1)
+    error_of(page, "disk_mass").filter(has_not_text="must").wait_for(state="attached")
+    assert float(box.input_value()) == page.evaluate("rotorstab.last.values.disk_mass")
+    assert box.get_attribute("aria-invalid") is None
 
 
 def tab_through(page):

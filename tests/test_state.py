@@ -201,7 +201,11 @@ def test_the_ends_of_the_chart_are_checked_against_each_other(values, refused):
     state = State()
     errors = state.change(values)
     assert set(errors) == refused
-    assert all("must exceed the lowest" in words for words in errors.values())
+    rules = {
+        "lowest_frequency": "must be below the highest by 0.4 or more",
+        "highest_frequency": "must exceed the lowest by 0.4 or more",
+    }
+    assert errors == {name: rules[name] for name in refused}
     assert holds(state)
     for name in set(values) - refused:
         assert getattr(state, name) == values[name]

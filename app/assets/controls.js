@@ -8,12 +8,13 @@ export function render({ model, el }) {
 
   // -- what the server answers ---------------------------------------------
   function show(data) {
-    if (data.values) state.values = data.values;
     if (data.values) for (const [name, row] of Object.entries(rows)) {
-      const error = (data.errors || {})[name] || "";
-      row.say(error);
-      if (!error) row.show(data.values[name]);
+      const error = data.errors?.[name] || "";
+      // a refusal stays until the value is typed anew or is another one
+      if (error || data.replaced || data.values[name] !== state.values[name]) row.say(error);
+      row.show(data.values[name]);
     }
+    if (data.values) state.values = data.values;
     if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) if (row.hint) row.hint(data.si?.hints[name] || "");
   }
   model.on("msg:custom", (answer) => page.messages.take(answer.data ?? answer));
@@ -56,12 +57,12 @@ export function render({ model, el }) {
     const error = node("p", { class: "error", id: `${id}-error`, role: "alert" });
     const say = (words) => {
       error.textContent = words ? `${field.label} ${words}` : "";
-      box.toggleAttribute("aria-invalid", Boolean(words));
+      page.flag(box, words);
     };
     const fill = (value) => slider.style.setProperty("--fill", `${100 * (value - field.low) / (field.high - field.low)}%`);
     const show = (value) => {
       if (document.activeElement !== slider && el.getRootNode().activeElement !== slider) slider.value = value;
-      if (el.getRootNode().activeElement !== box) box.value = text(value, field.step);
+      if (!error.textContent && el.getRootNode().activeElement !== box) box.value = text(value, field.step);
       fill(value);
     };
     const snap = (value) => Math.min(field.high, Math.max(field.low, Number((Math.round(value / field.step) * field.step).toPrecision(12))));
@@ -115,7 +116,7 @@ export function render({ model, el }) {
     const group = node("div", { class: "choice", role: "radiogroup", "aria-labelledby": `${id}-label`, "aria-describedby": `${id}-help` });
     const inputs = field.options.map(([value, words], index) => {
       const input = node("input", { type: "radio", name: id, value, ...(index ? {} : { id }) });
-      input.addEventListener("change", () => change(field.name, value));
+      input.addEventListener("change", () => { rows[field.name].say(""); change(field.name, value); });
       group.append(node("label", {}, input, node("span", {}, words)));
       return input;
     });
@@ -143,9 +144,9 @@ export function render({ model, el }) {
     const error = node("p", { class: "error", id: `${id}-error`, role: "alert" });
     const say = (words) => {
       error.textContent = words ? `${field.label} ${words}` : "";
-      box.toggleAttribute("aria-invalid", Boolean(words));
+      page.flag(box, words);
     };
-    const show = (value) => { if (el.getRootNode().activeElement !== box) box.value = String(Number(value.toPrecision(9))); };
+    const show = (value) => { if (!error.textContent && el.getRootNode().activeElement !== box) box.value = String(Number(value.toPrecision(9))); };
     const commit = () => {
       const { value, doubt } = page.typed(box.value);
       if (!(value >= field.low && value <= field.high)) {

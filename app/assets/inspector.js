@@ -33,7 +33,7 @@ window.rotorstab.inspector = (() => {
     const { value, doubt } = page.typed(box.value);
     const [low, high] = BOUNDS[name];
     const good = value >= low && value <= high;
-    box.toggleAttribute("aria-invalid", !good);
+    page.flag(box, !good);
     if (!good) { say(`${NAMES[name]} ${doubt || `must be a number from ${low} to ${high}`}`); return; }
     say("");
     if (box.dataset.marker) place(...["marker_frequency", "marker_factor"].map((key) => (key === name ? value : values[key])));
@@ -107,7 +107,7 @@ window.rotorstab.inspector = (() => {
     for (const box of every("[data-marker], input[data-input]")) {
       const name = box.dataset.marker || box.dataset.input;
       box.addEventListener("change", () => commit(box, name));
-      box.addEventListener("keydown", (event) => { if (event.key === "Escape") { box.value = shown(name, values[name]); box.removeAttribute("aria-invalid"); say(""); } });
+      box.addEventListener("keydown", (event) => { if (event.key === "Escape") { box.value = shown(name, values[name]); page.flag(box, false); say(""); } });
     }
     one('[data-input="initial"]').addEventListener("change", (event) => page.change("initial", event.target.value));
     const keys = one(".marker-keys");

@@ -5,7 +5,8 @@ window.rotorstab.messages = (() => {
   const REST = 80; // ms without a change after which the full picture is asked for
   const IDLE = 5000; // ms without an answer after which a page in view asks whether the server is there
   const STORE = "rotorstab-unanswered";
-  const STATEFUL = ["change", "preset", "reset", "use_shaft", "rotor_file", "pin", "unpin"];
+  const REPLACING = ["preset", "reset", "use_shaft", "rotor_file"]; // set many values at once
+  const STATEFUL = ["change", ...REPLACING, "pin", "unpin"];
   const here = () => location.pathname + location.search;
 
   const unanswered = new Map(); // sequence number: the message, and since when it waits
@@ -73,8 +74,12 @@ window.rotorstab.messages = (() => {
 
   function take(data) {
     heard = Date.now();
+    let replaced = false;
     if (data.seq) {
-      for (const number of unanswered.keys()) if (number <= data.seq) unanswered.delete(number);
+      for (const [number, { message }] of unanswered) if (number <= data.seq) {
+        unanswered.delete(number);
+        replaced ||= REPLACING.includes(message.type);
+      }
       if (inflight && !unanswered.has(inflight) && !releasing) {
         releasing = true;
         requestAnimationFrame(freed);
@@ -82,7 +87,7 @@ window.rotorstab.messages = (() => {
       page.connection.look();
     // a full picture that was made meanwhile is not the answer to what moved since
     } else if (data.values && (moving() || stateful().length)) return;
-    const answer = data.values ? { ...data, values: { ...data.values, ...ahead() } } : data;
+    const answer = data.values ? { ...data, replaced, values: { ...data.values, ...ahead() } } : data;
     present(answer);
     page.answer(answer);
     if (data.values && !page.connection.greeted) {

@@ -101,6 +101,9 @@
   }
   page.written = (value, digits = 4) => grouped(String(Number(value.toPrecision(digits))));
 
+  // ARIA reads an empty value as false
+  page.flag = (box, wrong) => (wrong ? box.setAttribute("aria-invalid", "true") : box.removeAttribute("aria-invalid"));
+
   // a number as people type it, by the rules of typed_number.py: { value }, or { doubt } in words
   const TYPED = new RegExp(`^[+-]?(?:${[
     "\\d{1,3}(?:[ \u00a0\u2009\u202f'’_]\\d{3})+(?:[.,]\\d*)?", "\\d{1,3}(?:,\\d{3})+\\.\\d*", "\\d{1,3}(?:\\.\\d{3})+,\\d*",
