@@ -7,7 +7,12 @@ from app.analysis import solve, window_of
 from app.growth import known_map
 from app.state import State
 from rotorstab.floquet import floquet_solution
-from rotorstab.growth import largest_modulus, matrix_growth, reversed_growth
+from rotorstab.growth import (
+    largest_modulus,
+    matrix_growth,
+    reversed_growth,
+    self_inversive_growth,
+)
 from rotorstab.window import floquet_map
 
 # shares by independent integration at random points, and how far those may be off
@@ -183,3 +188,23 @@ def test_eigenvalues_moved_by_their_errors(seed):
     lost = matrix_growth(moved, error)[0]
     assert np.isnan(lost[0])
     np.testing.assert_allclose(lost[1:], growth[1:])
+
+
+@pytest.mark.parametrize("growth", [2.0, 6.0, 9.5, 14.0])
+def test_two_pairs_that_grow_alike(growth):
+    """Two pairs e^{±jα/2}(u, 1/u) with growth of the same size: as near as the quartic tells."""
+    rng = np.random.default_rng(3)
+    count = 2000
+    first = growth + rng.uniform(0, 0.5, count)
+    second = growth + rng.uniform(0, 0.5, count)
+    half = np.where(rng.uniform(size=count) < 0.5, 0.0, rng.uniform(0, np.pi / 2, count))
+    second = np.where(half == 0, second, first)
+    pairs = 2 * np.cosh([first, second])
+    middle = np.exp(1j * half) * pairs[0] + np.exp(-1j * half) * pairs[1]
+    coefficients = np.array([middle.real, middle.imag, 2 * np.cos(2 * half) + pairs[0] * pairs[1]])
+    error = 1e-14 * np.array([np.abs(middle), np.abs(middle), np.abs(coefficients[2])])
+    found, uncertainty, _ = self_inversive_growth(coefficients, error)
+    off = np.abs(found - np.maximum(first, second))
+    assert off.max() < 1e-4  # rounding, at nearly double multipliers
+    assert (off <= uncertainty + 1e-9).mean() > 0.9
+    assert np.median(off) < 1e-12

@@ -135,10 +135,15 @@ def _pair_sum(re: Array, im: Array, c2: Array) -> Array:
         big = np.cbrt(np.abs(r1) + np.sqrt(np.maximum(r1 * r1 - q1 * q1 * q1, 0)))
         big += big == 0
         y[single] = mean[single] + np.copysign(big + q1 / big, r1)
-    outside = ~single & (np.abs(y) > 2 + _BEYOND)
+    outside = np.abs(y) > 2 + _BEYOND
     if outside.any():
-        far = 2 * size[outside] * np.cos(angle[outside] - np.pi / 3)
-        y[outside] = mean[outside] - np.copysign(far, r[outside])
+        # the other two roots, from their product and sum: beside a large y arccos loses them
+        top = y[outside]
+        product = (2 * (re2 - im2) - 4 * c2)[outside] / top
+        half = (linear[outside] - product) / top / 2
+        apart = half + np.copysign(np.sqrt(np.maximum(half * half - product, 0)), half)
+        apart += apart == 0
+        y[outside] = np.where(half * top > 0, product / apart, apart)
     return np.asarray(np.clip(y, -2.0, 2.0))
 
 
