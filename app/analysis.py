@@ -81,6 +81,8 @@ class FloquetAnswer:
         β_d above which the map is blank, since the exact law ends; inf where it does not.
     unknown_share : float
         Share of the other pixels that are blank: the growth within a period is too strong there.
+    has_tongues : bool
+        Whether the window holds a tongue, be it too thin for the centre of any pixel.
     """
 
     table: ResonanceTable
@@ -95,6 +97,7 @@ class FloquetAnswer:
     followed_from: float = 0.0
     ends_at: float = math.inf
     unknown_share: float = 0.0
+    has_tongues: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,6 +244,12 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             followed_from=_followed_from(growth, frequency),
             ends_at=ends_at if ends_at < top else math.inf,
             unknown_share=_unknown_share(growth),
+            has_tongues=bool(made.outlines)
+            or any(
+                row.threshold < top * reference
+                and frequency_range[0] < row.centre / frequency < frequency_range[1]
+                for row in table.tongues
+            ),
         ),
     )
 

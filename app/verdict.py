@@ -22,8 +22,8 @@ _LONGEST_COMPARISON = (
 )
 
 
-def _percent(share: float) -> str:
-    if share == 0:
+def _percent(share: float, *, none: bool = True) -> str:
+    if share == 0 and none:
         return "nothing"
     if share < 0.001:
         return "under 0.1 %"
@@ -101,7 +101,7 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
         return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
-    text = f" Of {place} {_percent(true)} is unstable"
+    text = f" Of {place} {_percent(true, none=not answer.has_tongues)} is unstable"
     if not bolotin_shown:
         return text + "."
     text += f"; Bolotin regions cover {_percent(bolotin)}"

@@ -91,6 +91,15 @@ def test_growth_too_strong_for_the_map_is_named():
     assert "blank" not in verdict(result.floquet)
 
 
+def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
+    thin = {"spin_speed": 1, "lowest_frequency": 5, "highest_frequency": 7, "largest_factor": 0.05}
+    for damping, words in ((0.0, "under 0.1 %"), (0.01, "nothing")):
+        for detail in ("map", True):
+            answer = solved(thin | {"external_damping": damping}, detail)[1].floquet
+            assert answer.unstable_share == 0
+            assert f"Of this window {words} is unstable" in verdict(answer)
+
+
 def test_nothing_computed_gives_no_share():
     small = {"diametral_inertia": 0.01, "spin_speed": 4, "polar_inertia": 6}
     _, result = solved(small | {"highest_frequency": 0.5}, settled=False)
