@@ -61,6 +61,20 @@ def test_a_region_may_close_the_gap_between_tongues_and_be_narrower_than_they_ar
         assert region.width < right[-1] - left[0]
 
 
+def test_three_narrow_tongues_make_one_wider_region():
+    """Of 0.0596, 0.0596 and 0.0228 together 0.096, as points tell: ω₂ is near 3 ω₁."""
+    system, load = lumped(BASE_CASE, 0.0, 0.74), 0.1 * P
+    table = resonances(system, 1.88 * P, load)
+    (region,) = (one for one in first_order_regions(table, load) if "1B+1F" in one.name)
+    assert region.name == "1B+1F, 1B+2B, 1F+2F"
+    widths = sorted(2 * one.half_width / W for one in region.tongues)
+    assert widths == pytest.approx([0.0228, 0.0596, 0.0596], abs=1e-4)
+    theta = np.linspace(region.left - 0.01 * W, region.right + 0.01 * W, 501)
+    unstable = theta[growth_rate(system, 1.88 * P, load, theta) > 1e-6]
+    assert (unstable[-1] - unstable[0]) / W == pytest.approx(0.0957, abs=5e-4)
+    assert region.width / W == pytest.approx(0.0957, abs=1e-3)
+
+
 def test_tongues_that_share_no_mode_keep_their_width():
     for system in (lumped(BASE_CASE, 0.0), lumped(BASE_CASE, 2.0), lumped(BASE_CASE, 2.0, 0.5)):
         table = resonances(system, 0.3 * P, 0.01 * P)
