@@ -107,7 +107,8 @@ class Session:
         elif kind == "page" and name in self.pages:
             self.active = str(name)
         elif kind in _MAKES and self.files.full():
-            reply = Reply({"told": "files are still being made: wait for one, then ask again"})
+            busy = "files are still being made: wait for one, then ask again"
+            reply = Reply({"told": busy, "not_drawn": kind == "figure"})
         elif kind == "export":
             reply = export(self.pages[self.active], self.state, message)
         elif kind == "python":

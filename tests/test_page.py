@@ -638,3 +638,18 @@ def test_the_legend_names_the_curves_that_are_drawn(open_page):
     page.evaluate(f"rotorstab.send({{ type: 'change', values: {values} }})")
     page.wait_for_function("rotorstab.last.values.tangency === 1")
     assert named() == ["axial", "follower"]
+
+
+def test_a_figure_that_is_being_made_shows_no_words_of_another(open_page):
+    page = open_page()
+    visit(page, "paper")
+    title = page.locator("[data-paper=title]")
+    title.filter(has_text="Figure 6. ").wait_for()
+    page.evaluate("rotorstab.send = () => {}")  # its answer has not come
+    page.get_by_role("button", name="Fig. 9", exact=True).click()
+    assert title.text_content() == "Figure 9"
+    for part in ("caption", "parameters", "reading", "settings"):
+        assert page.locator(f"[data-paper={part}]").text_content() == ""
+    assert page.locator("[data-paper=picture]").text_content() == "Drawing …"
+    page.evaluate("rotorstab.paper.answer({ not_drawn: true })")
+    assert "was not drawn" in page.locator("[data-paper=picture]").text_content()

@@ -630,3 +630,12 @@ def test_a_rotor_file_whose_speed_is_beyond_the_slider_is_taken_but_for_the_spee
     assert answer["values"]["spin_speed"] == 1.0
     assert answer["shaft"]["in_use"]
     json.dumps(answer, allow_nan=False)
+
+
+@pytest.mark.parametrize("kind", ["figure", "export", "report"])
+def test_the_page_hears_that_a_figure_is_not_drawn(monkeypatch, kind):
+    session = Session()
+    monkeypatch.setattr(session.files, "full", lambda: True)
+    answer = session.respond({"type": kind, "number": 9, "format": "svg"})
+    assert "wait for one" in answer["told"]
+    assert answer["not_drawn"] is (kind == "figure")

@@ -19,7 +19,18 @@ window.rotorstab.paper = (() => {
   function ask(number) {
     current = number;
     for (const button of document.querySelectorAll("[data-figure]")) button.setAttribute("aria-pressed", String(Number(button.dataset.figure) === number));
+    // a figure with Floquet takes seconds: the words of another one must not stand below its name
+    place("title").textContent = `Figure ${number}`;
+    for (const name of ["caption", "parameters", "reading", "settings"]) place(name).replaceChildren();
+    await_picture("Drawing …");
     page.send({ type: "figure", number, floquet: floquet() });
+  }
+
+  function await_picture(words) {
+    const waiting = document.createElement("p");
+    waiting.className = "sub";
+    waiting.textContent = words;
+    place("picture").replaceChildren(waiting);
   }
 
   function show(figure) {
@@ -53,10 +64,7 @@ window.rotorstab.paper = (() => {
     }));
     document.querySelector("#paper-floquet").disabled = !figure.has_floquet;
     place("downloads").hidden = false;
-    const waiting = document.createElement("p");
-    waiting.className = "sub";
-    waiting.textContent = "Drawing …";
-    place("picture").replaceChildren(waiting);
+    await_picture("Drawing …");
   }
 
   function picture({ number, floquet: with_floquet, svg }) {
@@ -96,6 +104,7 @@ window.rotorstab.paper = (() => {
       if (data.figure && data.figure.number === current && (data.figure.floquet === floquet() || !data.figure.has_floquet)) show(data.figure);
       if (data.table_1) place("table").replaceChildren(...data.table_1.map((cells) => row(cells, 1)));
       if (data.picture) picture(data.picture);
+      if (data.not_drawn) await_picture("This figure was not drawn, since other files are still being made. Choose it once more.");
       if (data.file) save(data.file);
       if (data.page === "paper" && !current) ask(6);
     },
