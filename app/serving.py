@@ -14,7 +14,7 @@ import sys
 from importlib import import_module
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import unquote, urlsplit
 
 from bokeh.server.server import Server
 from bokeh.server.util import check_allowlist
@@ -74,10 +74,13 @@ def is_own_name(host: str, known: Any) -> bool:
 
 
 class _Refused(RequestHandler):
-    """Answers that the server does not go by this name."""
+    """Answers nothing but an error."""
+
+    def initialize(self, status: int) -> None:
+        self.status = status
 
     def prepare(self) -> None:
-        self.send_error(421)
+        self.send_error(self.status)
 
 
 class _Moved(RedirectHandler):
@@ -99,7 +102,9 @@ def _find(find: Any, self: Application, request: Any, **kwargs: Any) -> Any:
     if paths is None:  # an application of somebody else
         return find(self, request, **kwargs)
     if _HARDENED not in sys.modules and not is_own_name(request.host, self.websocket_origins):
-        return self.get_handler_delegate(request, _Refused)
+        return self.get_handler_delegate(request, _Refused, {"status": 421})
+    if "\0" in unquote(request.path):  # no file has it in its name, and Tornado looks for one
+        return self.get_handler_delegate(request, _Refused, {"status": 404})
     prefix = self.prefix
     wanted = request.path.rstrip("/")
     pages = {f"{prefix}{path}": f"{prefix}{path}" for path in paths}

@@ -8,11 +8,13 @@ import os
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 from urllib.parse import urlsplit
 
 import pytest
 from bokeh.util.token import get_token_payload
 from tornado.httpclient import HTTPClientError, HTTPRequest
+from tornado.web import HTTPError
 from tornado.websocket import websocket_connect
 
 from deploy.server import sessions
@@ -325,6 +327,38 @@ def test_pages_that_never_connect_shut_nobody_out(small_server):
                 await stack.enter_async_context(server.connect(token, Origin=origin))
 
     run(crowd())
+
+
+def test_messages_are_answered_between_two_pages_and_nothing_is_built_for_who_has_left(
+    monkeypatch,
+):
+    """Twenty-five pages that were asked for at once held all messages up until the last."""
+    order = []
+
+    async def build(context, session_id, request=None, token=None):
+        order.append("page")
+
+    async def messages():
+        while order.count("page") < 5:
+            order.append("message")
+            await asyncio.sleep(0)
+
+    def request(closed):
+        return SimpleNamespace(connection=SimpleNamespace(stream=SimpleNamespace(closed=closed)))
+
+    async def crowd():
+        monkeypatch.setattr(sessions, "building", asyncio.Lock())
+        pages = [sessions.create_session(context, number) for number in range(5)]
+        await asyncio.gather(*pages, messages())
+        await sessions.create_session(context, "waits", request(lambda: False))
+        with pytest.raises(HTTPError):
+            await sessions.create_session(context, "left", request(lambda: True))
+
+    context = SimpleNamespace(_sessions={}, _pending_sessions={})
+    monkeypatch.setattr(sessions, "create_session_if_needed", build)
+    run(crowd())
+    assert "page page" not in " ".join(order[:-1])
+    assert order.count("page") == 6
 
 
 def test_a_page_that_never_connects_is_kept_for_a_quarter_of_a_minute(monkeypatch):

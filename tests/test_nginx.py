@@ -18,6 +18,7 @@ import tempfile
 import threading
 import time
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import urljoin
 
@@ -258,6 +259,13 @@ def test_a_file_is_cached_once_whatever_version_is_asked_for(lab):
     after = lab.cached()
     assert len(after) <= len(before) + 2  # the answer to HEAD, which is empty, and the icon
     assert sum(after) < sum(before) + 100_000
+
+
+def test_who_asks_for_pages_too_fast_is_told_so_and_not_that_all_places_are_taken(lab):
+    with ThreadPoolExecutor(30) as many:
+        replies = list(many.map(lambda _: lab.get("/app", method="HEAD"), range(4 * 2 * PLACES)))
+    assert {status for status, _, _ in replies} == {200, 429}
+    assert {headers["Retry-After"] for status, headers, _ in replies if status == 429} == {"5"}
 
 
 def test_an_address_of_100_kB_gets_the_page_and_a_longer_one_words(lab):

@@ -116,6 +116,7 @@ def test_plain_panel_is_hardened_from_inside(plain):
     assert headers["X-Frame-Options"] == "DENY"
     assert "Server" not in headers
     assert plain.get("/components/os/path")[0] == 404
+    assert plain.get("/static/js/%00.js")[0] == 404
     assert plain.get(f"/app?spin={'9' * 5000}")[0] == 200
     for host in ("localhost", "127.0.0.1:5006", "[::1]", "192.168.1.7", socket.gethostname()):
         assert plain.get("/nothing", Host=host)[0] == 404

@@ -26,6 +26,9 @@ draining = threading.Event()
 most_sessions = 60
 refused = 0
 CONNECTING = 15_000  # ms that a page is kept whose socket has never come
+building = asyncio.Lock()
+"""Held while a page is built: one at a time, so that messages are answered between two pages."""
+BETWEEN = 0.02  # s left to messages before a page is built; one comes in three fragments
 
 
 def refuse():
@@ -122,18 +125,31 @@ async def session_or_error(self):
     return session
 
 
+def is_gone(request):
+    """Whether the browser that sent a request has closed its connection; a socket's is its own."""
+    stream = getattr(getattr(request, "connection", None), "stream", None)
+    return stream is not None and stream.closed()
+
+
 @functools.wraps(create_session_if_needed)
-async def create_session(self, session_id, *args, **kwargs):
-    """Bokeh's creation of a session, less the place it keeps for ever after a failure."""
-    try:
-        return await contain(create_session_if_needed(self, session_id, *args, **kwargs))
-    except BaseException:
-        # from Bokeh 3.10 on it is a task, which frees its place by itself and others may wait for
-        if not isinstance(self._pending_sessions.get(session_id), asyncio.Task):
-            pending = self._pending_sessions.pop(session_id, None)
-            if pending is not None:
-                pending.cancel()
-        raise
+async def create_session(self, session_id, request=None, token=None):
+    """Bokeh's creation of a session, in turn, less the place it keeps for ever after a failure."""
+    if session_id in self._sessions:
+        return await create_session_if_needed(self, session_id, request, token)
+    async with building:
+        await asyncio.sleep(BETWEEN)
+        if is_gone(request):
+            raise HTTPError(400, "nobody waits for this page any more")
+        try:
+            return await contain(create_session_if_needed(self, session_id, request, token))
+        except BaseException:
+            # from Bokeh 3.10 on it is a task, which frees its place by itself and which others may
+            # wait for
+            if not isinstance(self._pending_sessions.get(session_id), asyncio.Task):
+                pending = self._pending_sessions.pop(session_id, None)
+                if pending is not None:
+                    pending.cancel()
+            raise
 
 
 @functools.wraps(session_prepare)
