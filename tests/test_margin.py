@@ -163,6 +163,19 @@ def test_critical_pulsation_alone_and_among_others(
     assert above > below
 
 
+def test_a_summit_just_inside_a_tongue_bounds_the_crossing():
+    """The answer was the next load of the scan, 0.4, where growth is 0.0019 already."""
+    rotor = ShaftDisk(0.0497781277782105, 12.3037315106806, 1.23149463472083, 0.588850522064857)
+    system = lumped(rotor, 3.321324982899102)
+    load, theta = float(critical_load(rotor.shear)), 6.344314410182857
+    theta *= fundamental_frequency(system)
+    static = 0.6058987326419655 * load
+    (found,) = critical_pulsation(system, static, [theta], load).pulsating_load
+    assert found / load == pytest.approx(0.36175, abs=3e-4)
+    below, above = growth_rate(system, static, found * np.array([0.9999, 1.0001]), theta)
+    assert below < 1e-8 < above
+
+
 @settings(max_examples=8)
 @given(
     st.integers(0, 10**6),

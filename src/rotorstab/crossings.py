@@ -138,7 +138,7 @@ def summits(
         NaN where given up.
     """
     low, high = place - reach, place + reach
-    centre, excess = place.copy(), np.full_like(place, np.nan)
+    centre, measured, excess = place.copy(), place.copy(), np.full_like(place, np.nan)
     live = np.arange(len(place))
     for shrink in shrinks:
         if not live.size:
@@ -147,7 +147,7 @@ def summits(
         points = centre[live][:, None] + step[:, None] * np.array([-1.0, 0.0, 1.0])
         who = np.repeat(live, 3)
         value, near = measure(points.ravel(), who)
-        excess[live] = value[1::3]
+        measured[live], excess[live] = points[:, 1], value[1::3]
         height = near[np.arange(len(who)), rank[who]].reshape(-1, 3)
         top_at, top, bend = _vertex(points, height)
         uphill = points[:, 1] + np.sign(height[:, 2] - height[:, 0]) * step
@@ -157,6 +157,11 @@ def summits(
         hopeless = (bend < 0) & (top + _SLACK * np.abs(bend) * step**2 < needed)
         centre[live[hopeless]] = excess[live[hopeless]] = np.nan
         live = live[~hopeless]
+    if live.size:
+        # the last move counts where it led higher, so that place and excess belong together
+        value, _ = measure(centre[live], live)
+        centre[live] = np.where(value > excess[live], centre[live], measured[live])
+        excess[live] = np.maximum(value, excess[live])
     return centre, excess
 
 
