@@ -4,8 +4,9 @@
 #
 #   deploy/check_image.sh [BASE]    as root, with buildah; BASE is an image with Python >= 3.11
 #
-# Without BASE a Debian base is made with mmdebstrap. Not checked here: the real base image,
-# HEALTHCHECK, compose's network and limits.
+# Without BASE a Debian base is made with mmdebstrap, of SUITE (stable, or oldstable) and, where the
+# machine has a mirror of its own, from MIRROR (a line of sources.list). Not checked here: the real
+# base image, HEALTHCHECK, compose's network and limits.
 set -eu
 
 project=$(cd -- "$(dirname -- "$0")/.." && pwd)
@@ -25,10 +26,11 @@ trap finish EXIT
 trap 'exit 1' INT TERM
 
 if [ -z "$base" ]; then
-    base=localhost/rotorstab-base
+    suite=${SUITE:-stable}
+    base=localhost/rotorstab-base-$suite
     if ! build inspect --type image "$base" >/dev/null 2>&1; then
         mmdebstrap --quiet --variant=minbase --include=python3,python3-venv,ca-certificates \
-            stable "$work/base.tar"
+            "$suite" "$work/base.tar" ${MIRROR:+"$MIRROR"}
         empty=$(build from scratch)
         build add --quiet "$empty" "$work/base.tar" / >/dev/null
         build commit --quiet "$empty" "$base" >/dev/null
