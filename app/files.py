@@ -80,9 +80,9 @@ class Files:
             if need is None or self._scheduler.document is None:  # nobody else waits
                 return {**reply.now, **self.start(answer())}
             made = background.request(need.function, *need.arguments)
-            self._follow(made, need, partial(self._go_on, need, answer))
+            self._follow(made, need, partial(self._go_on, need, answer), reply.failed)
         elif reply.later is not None:
-            self._follow(reply.later, None, lambda made: reply.wrap(made.result()))
+            self._follow(reply.later, None, lambda made: reply.wrap(made.result()), reply.failed)
         return reply.now
 
     def _go_on(
@@ -96,8 +96,9 @@ class Files:
         made: Future[Any],
         need: Need | None,
         content: Callable[[Future[Any]], Mapping[str, Any]],
+        failed: Mapping[str, Any],
     ) -> None:
-        """Tell the browser the content that a future leads to, once that is done."""
+        """Tell the browser the content that a future leads to, once that is done, or why not."""
         ticket = object()
         self._waiting[ticket] = need
         _making.add(ticket)
@@ -110,7 +111,7 @@ class Files:
             except Exception as problem:
                 if not isinstance(problem, CancelledError):  # the server does not end
                     _LOG.error("a file was not made", exc_info=problem)
-                told = {"told": excuse(problem)}
+                told = {**failed, "told": excuse(problem)}
             self._forget(ticket)
             self._tell(told)
 

@@ -108,7 +108,11 @@ class Session:
             self.active = str(name)
         elif kind in _MAKES and self.files.full():
             busy = "files are still being made: wait for one, then ask again"
-            reply = Reply({"told": busy, "not_drawn": kind == "figure"})
+            # a figure's place on the page says it too
+            beside = (
+                {"not_drawn": f"This figure is not drawn yet: {busy}."} if kind == "figure" else {}
+            )
+            reply = Reply({"told": busy, **beside})
         elif kind == "export":
             reply = export(self.pages[self.active], self.state, message)
         elif kind == "python":

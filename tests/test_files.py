@@ -300,3 +300,18 @@ def test_a_session_may_wait_for_some_files_only_and_for_one_while_many_wait(desk
     assert told == [{"told": "ready"}]
     wanted.close()
     bystander.close()
+
+
+@pytest.mark.parametrize("floquet", [False, True])
+def test_the_place_of_a_figure_that_cannot_be_drawn_says_so(monkeypatch, floquet):
+    """Its place once went on saying that it was being drawn."""
+    told, page = [], Page()
+    broken = Future()
+    broken.set_exception(OSError("no process"))
+    monkeypatch.setattr("app.pages.paper.printer.file", lambda *_: broken)
+    monkeypatch.setattr(files.background, "request", lambda *_: broken)
+    wanted = Files(page, told.append, State())
+    wanted.start(Paper().handle({"type": "figure", "number": 9, "floquet": floquet}, State()))
+    page.turn()
+    assert "could not be drawn" in told[-1]["not_drawn"]
+    assert "could not be made" in told[-1]["told"]

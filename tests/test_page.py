@@ -651,5 +651,5 @@ def test_a_figure_that_is_being_made_shows_no_words_of_another(open_page):
     for part in ("caption", "parameters", "reading", "settings"):
         assert page.locator(f"[data-paper={part}]").text_content() == ""
     assert page.locator("[data-paper=picture]").text_content() == "Drawing …"
-    page.evaluate("rotorstab.paper.answer({ not_drawn: true })")
-    assert "was not drawn" in page.locator("[data-paper=picture]").text_content()
+    page.evaluate("rotorstab.paper.answer({ not_drawn: 'It was <b>not</b> drawn.' })")
+    assert page.locator("[data-paper=picture]").text_content() == "It was <b>not</b> drawn."

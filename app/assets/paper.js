@@ -104,7 +104,7 @@ window.rotorstab.paper = (() => {
       if (data.figure && data.figure.number === current && (data.figure.floquet === floquet() || !data.figure.has_floquet)) show(data.figure);
       if (data.table_1) place("table").replaceChildren(...data.table_1.map((cells) => row(cells, 1)));
       if (data.picture) picture(data.picture);
-      if (data.not_drawn) await_picture("This figure was not drawn, since other files are still being made. Choose it once more.");
+      if (data.not_drawn) await_picture(data.not_drawn);
       if (data.file) save(data.file);
       if (data.page === "paper" && !current) ask(6);
     },

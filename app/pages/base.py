@@ -42,7 +42,8 @@ class Reply:
     """What is answered to a message: `now`, and what follows.
 
     `later` is a file that is being made, `wrap` returns what the browser is sent of it. `then`
-    returns the rest of the answer, once what it needs is there.
+    returns the rest of the answer, once what it needs is there. `failed` is sent, with the reason,
+    where what follows cannot be made.
     """
 
     now: Mapping[str, Any] = field(default_factory=dict)
@@ -51,6 +52,7 @@ class Reply:
     reset_view: bool = False
     keep_colours: bool | None = None
     then: tuple[Need | None, Callable[[], Reply]] | None = None
+    failed: Mapping[str, Any] = field(default_factory=dict)
 
 
 class Page:

@@ -92,6 +92,9 @@ def describe_table() -> list[list[str]]:
     ]
 
 
+NOT_DRAWN = {"not_drawn": "This figure could not be drawn. Choose it once more."}
+
+
 def figure_need(number: int, floquet: bool) -> Need | None:
     """Return what must be made before `paper_figure` is quick, if anything."""
     if figure_known(number, floquet):
@@ -124,8 +127,9 @@ class Paper(Page):
                 wrap=lambda svg: {
                     "picture": {"number": number, "floquet": floquet, "svg": svg.decode()}
                 },
+                failed=NOT_DRAWN,
             )
 
         need = figure_need(number, floquet)
         words = {} if need is None else {"told": f"computing figure {number} with Floquet …"}
-        return Reply(words, then=(need, answer))
+        return Reply(words, then=(need, answer), failed=NOT_DRAWN)
