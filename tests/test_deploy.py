@@ -309,6 +309,10 @@ def test_places_are_limited_for_pages_and_sockets(small_server):
             assert head[0] == 200
 
     run(crowd())
+    # a full class is no error of the server: operators are told to watch those
+    metrics = server.get("/metrics")[2]
+    assert not re.search(r'rotorstab_errors_total{logger="tornado.access"} [1-9]', metrics)
+    assert float(re.search(r"^rotorstab_refused_total (\S+)$", metrics, re.M)[1]) >= 2
 
 
 def test_pages_that_never_connect_shut_nobody_out(small_server):

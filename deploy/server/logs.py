@@ -1,5 +1,6 @@
 """Log lines: bounded, and one JSON object a line where no person is watching."""
 
+import functools
 import json
 import logging
 import sys
@@ -7,13 +8,15 @@ import time
 
 from tornado.httpserver import _HTTPRequestContext
 from tornado.httputil import HTTPServerRequest
-from tornado.web import RequestHandler
+from tornado.web import Application, RequestHandler
 
 from .patching import replace
 from .settings import Settings
 
 LONGEST_LINE = 2000
 SHOWN_OF_ID = 8
+
+log_request = Application.log_request
 
 
 def shorten(text: str) -> str:
@@ -75,12 +78,22 @@ def shown_request(request: HTTPServerRequest) -> str:
     return f"HTTPServerRequest({request.method} {request.path})"
 
 
+@functools.wraps(log_request)
+def log_request_by_kind(self, handler):
+    """Log a request; one that is refused for want of a place is no error of the server."""
+    if handler.get_status() == 503:
+        logging.getLogger("tornado.access").info("503 %s", handler._request_summary())
+    else:
+        log_request(self, handler)
+
+
 def install(settings: Settings):
     """Send every log record of this process to standard error in one form."""
     logging.setLogRecordFactory(ShortRecord)
     replace(RequestHandler, "_request_summary", summary)
     replace(HTTPServerRequest, "__repr__", shown_request)
     replace(_HTTPRequestContext, "__str__", lambda context: "a client")
+    replace(Application, "log_request", log_request_by_kind)
     plain = settings.log_format == "text" or (settings.log_format == "auto" and sys.stderr.isatty())
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(
