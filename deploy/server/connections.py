@@ -3,7 +3,9 @@
 import errno
 import logging
 import resource
+import socket
 import time
+from contextlib import suppress
 
 import tornado.tcpserver as tornado_tcpserver
 from tornado.ioloop import IOLoop
@@ -18,6 +20,7 @@ RESERVED = 150  # descriptors for modules, logs, pipes and the pictures that are
 A_PAGE = 20  # connections: six of the browser, its socket, and others that only wait
 BACKLOG = 128  # connections accepted in one turn of the loop
 SILENCE = 60.0  # s between two warnings of one cause
+YOUNG = 5.0  # s that a connection is left alone
 PAUSE = 1.0  # s without accepting after the system had no descriptor
 EXHAUSTED = (errno.EMFILE, errno.ENFILE, errno.ENOBUFS, errno.ENOMEM)
 
@@ -54,6 +57,42 @@ def held(callback):
     return len(getattr(server, "_connections", ())) + len(sessions.open_sockets)
 
 
+class Accepted:
+    """The connections that were accepted, the oldest first."""
+
+    def __init__(self, clock=time.monotonic):
+        self._clock = clock
+        self._since = {}  # seconds by connection, in the order of their coming
+
+    def add(self, connection):
+        """Note a new connection."""
+        self._since[connection] = self._clock()
+
+    def end_oldest(self, in_use):
+        """End the oldest connection that is no page's socket; return whether there was one.
+
+        Young ones are spared: a request may be under way on them.
+        """
+        for one in [one for one in self._since if one.fileno() < 0]:
+            del self._since[one]
+        now = self._clock()
+        for one, since in self._since.items():
+            if now - since < YOUNG:
+                return False
+            if one.fileno() not in in_use:
+                del self._since[one]
+                with suppress(OSError):  # the other side was faster
+                    one.shutdown(socket.SHUT_RDWR)
+                return True
+        return False
+
+
+def page_sockets():
+    """Descriptors of the sockets of pages, which are silent while nobody moves."""
+    streams = [one.ws_connection and one.ws_connection.stream for one in sessions.open_sockets]
+    return {stream.fileno() for stream in streams if stream and not stream.closed()}
+
+
 def add_accept_handler(listener, callback):
     """Tornado's loop of accepting connections, with a bound and a pause.
 
@@ -62,9 +101,10 @@ def add_accept_handler(listener, callback):
     """
     loop = IOLoop.current()
     too_many = Complaint(
-        f"there are {most_connections} connections, as many as are allowed: others are closed"
+        f"there are {most_connections} connections, as many as are allowed: the oldest are closed"
     )
     exhausted = Complaint("the system has no descriptor left: new connections wait")
+    accepted = Accepted()
     removed = False
 
     def resume():
@@ -90,8 +130,10 @@ def add_accept_handler(listener, callback):
                 return
             if held(callback) >= most_connections:
                 too_many.make()
-                connection.close()
-                continue
+                if not accepted.end_oldest(page_sockets()):
+                    connection.close()
+                    continue
+            accepted.add(connection)
             callback(connection, address)
 
     def remove():
