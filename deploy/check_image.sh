@@ -69,6 +69,7 @@ unshare --mount sh -eu -c '
 server=$!
 
 tries=0
+answered=yes
 until python3 - "$port" <<'PYTHON'
 import sys, urllib.request
 for path in ("/health", "/app"):
@@ -78,12 +79,16 @@ PYTHON
 do
     tries=$((tries + 1))
     if [ $tries -ge 30 ] || ! kill -0 "$server"; then
-        cat "$work/log" >&2
-        echo "image check failed: the container does not answer" >&2
-        exit 1
+        answered=no
+        break
     fi
     sleep 2
 done 2>"$work/probe"
+if [ "$answered" = no ]; then
+    cat "$work/probe" "$work/log" >&2
+    echo "image check failed: the container does not answer" >&2
+    exit 1
+fi
 
 python3 - "$server" <<'PYTHON'
 import sys
