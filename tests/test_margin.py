@@ -176,6 +176,23 @@ def test_a_summit_just_inside_a_tongue_bounds_the_crossing():
     assert below < 1e-8 < above
 
 
+@pytest.mark.parametrize("offset", [-2e-3, 0.0, 2e-3])
+def test_a_pair_that_meets_between_two_loads_and_parts_faster_is_found(offset):
+    """Closeness rose over the interval, so that no summit was seen: the answer was 0.80285."""
+    rotor = ShaftDisk(0.04338192444725234, 5.343563171984274, 0.14022599130236005, 0.28004999572257)
+    system = lumped(rotor, 1.67518751581302)
+    load, theta = float(critical_load(rotor.shear)), 1.9763509969645627 + offset
+    theta *= fundamental_frequency(system)
+    static = 0.43306469551830795 * load
+    (found,) = critical_pulsation(system, static, [theta], load).pulsating_load
+    loads = np.linspace(0.77, 0.80, 1201) * load
+    grown = loads[growth_rate(system, static, loads, theta) > 2e-6]
+    assert len(grown) > 10
+    assert found == pytest.approx(grown[0], abs=3e-5 * load)
+    below, above = growth_rate(system, static, found * np.array([0.9999, 1.0001]), theta)
+    assert below < 1e-8 < above
+
+
 @settings(max_examples=8)
 @given(
     st.integers(0, 10**6),

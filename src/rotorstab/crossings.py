@@ -26,6 +26,7 @@ _TURN = 0.15  # by which two multipliers may turn between them [rad]
 _RANKS = 3  # pairs of multipliers looked at in one place, the closest first
 SHRINKS = (0.5, 0.1, 0.02, 0.004)  # half-widths of the parabolas, in steps of the scan
 _INSIDE = 1.02  # times a first-order threshold
+_PASSED = 0.5  # part of a detuning: a forecast below means that its sign has changed
 _SLACK = 0.2  # of a parabola's fall over its half-width: how far its summit may be too low
 
 
@@ -166,7 +167,10 @@ def summits(
 
 
 def line_summits(x: Array, near: Array) -> tuple[Index, Array, Array, Index]:
-    """Return the local maxima of the closeness along lines: line, place, reach and rank.
+    """Return where pairs may come closest along lines: line, place, reach and rank.
+
+    These are the local maxima of the closeness, and the intervals in which a pair seems to come
+    and go unseen: its detuning, nearly linear, would change sign there by the slope before.
 
     Parameters
     ----------
@@ -174,23 +178,38 @@ def line_summits(x: Array, near: Array) -> tuple[Index, Array, Array, Index]:
         Rising coordinates.
     near : (L, N, R) float
     """
-    found: list[tuple[Index, Array, Array, Index]] = []
-    middle = (near[:, 1:-1] >= near[:, :-2]) & (near[:, 1:-1] >= near[:, 2:])
-    line, at, rank = np.nonzero(middle)
-    at = at + 1
+    rise = np.diff(near, axis=1)
+    top = np.ones(near.shape, dtype=bool)
+    top[:, 1:] &= rise >= 0
+    top[:, :-1] &= rise <= 0
+    line, at, rank = np.nonzero(top)
     # at an end the summit may lie within the last interval
-    for end, inner, step in ((0, 1, 1), (x.shape[1] - 1, x.shape[1] - 2, -1)):
-        first, level = np.nonzero(near[:, end] >= near[:, inner])
-        line = np.concatenate([line, first])
-        rank = np.concatenate([rank, level])
-        at = np.concatenate([at, np.full(len(first), end + step)])
-    triple = at[:, None] + np.array([-1, 0, 1])
+    triple = np.clip(at, 1, x.shape[1] - 2)[:, None] + np.array([-1, 0, 1])
     places, heights = x[line[:, None], triple], near[line[:, None], triple, rank[:, None]]
-    top_at, _, _ = _vertex(places, heights)
-    keep = (top_at >= places[:, 0]) & (top_at <= places[:, 2])
+    place, _, _ = _vertex(places, heights)
+    keep = (place >= places[:, 0]) & (place <= places[:, 2])
     reach = (places[:, 2] - places[:, 0]) / 2
-    found.append((line[keep], top_at[keep], reach[keep], rank[keep]))
-    return found[0]
+
+    step = np.diff(x, axis=1)[..., None]
+    detuning = np.sqrt(np.maximum(-near, 0))
+    middle, change = detuning[:, 1:-1], np.diff(detuning, axis=1)
+    passed = np.zeros(rise.shape, dtype=bool)
+    # products with the steps, some of which may be 0
+    later, earlier = step[:, 1:], step[:, :-1]
+    passed[:, 1:] = earlier * (_PASSED * detuning[:, 2:] - middle) > later * change[:, :-1]
+    passed[:, :-1] |= later * (_PASSED * detuning[:, :-2] - middle) > -earlier * change[:, 1:]
+    passed &= ~(top[:, 1:] | top[:, :-1]) & (detuning[:, 1:] + detuning[:, :-1] > 0)
+    there, first, which = np.nonzero(passed)
+    before, after = detuning[there, first, which], detuning[there, first + 1, which]
+    # inside a tongue the pair at that end is another one
+    part = np.where((before > 0) & (after > 0), before / (before + after), 0.5)
+    width = step[there, first, 0]
+    return (
+        np.r_[line[keep], there],
+        np.r_[place[keep], x[there, first] + part * width],
+        np.r_[reach[keep], width / 2],
+        np.r_[rank[keep], which],
+    )
 
 
 def _loads(plane: Plane, frequency: Array, largest: Array, count: int) -> Array:
@@ -238,6 +257,10 @@ def _crossings(plane: Plane, frequency: Array, largest: Array, count: int) -> Ar
     # the detuning is nearly linear in the square of the load
     square = loads**2
     line, place, reach, rank = line_summits(square, near)
+    # what begins beyond the first unstable load does not count
+    first = np.where((excess > 0).any(axis=1), (excess > 0).argmax(axis=1), -1)
+    below = place - 0.99 * reach < square[line, first[line]]
+    line, place, reach, rank = line[below], place[below], reach[below], rank[below]
     place, height = summits(
         lambda u, i: plane.sample(np.sqrt(np.maximum(u, 0)), frequency[line[i]]),
         place,

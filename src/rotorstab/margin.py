@@ -130,6 +130,9 @@ def critical_pulsation(
     damping a growth rate below 1e-6 does not count. A tongue may be missed where more than
     three pairs of multipliers come close at one load, or where multipliers turn by about one
     radian or more from one scanned load to the next: at θ̄ far below the whirl frequencies.
+    One that is narrower than the distance of the scanned loads may also be missed where several
+    pairs come close between two of them: in 4 of 820 cases of random rotors with little damping
+    or none, at θ̄ of 0.5 to 5 fundamental frequencies, against a scan of 80 to 640 loads.
     """
     plane, largest = _plane(system, static_load, largest_load)
     table = plane.table
