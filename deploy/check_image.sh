@@ -63,8 +63,9 @@ unshare --mount sh -eu -c '
     mount --bind /dev "$1/dev"
     shift_root=$1 environment=$2
     shift 2
-    exec env -i $(cat "$environment") chroot --userspec=10001:10001 "$shift_root" \
-        setpriv --no-new-privs --bounding-set=-all --inh-caps=-all "$@"
+    # capabilities are dropped before the user changes: afterwards setpriv of Debian stable refuses
+    exec env -i $(cat "$environment") chroot "$shift_root" setpriv --bounding-set=-all --inh-caps=-all \
+        --reuid=10001 --regid=10001 --clear-groups --no-new-privs "$@"
 ' sh "$root" "$work/environment" $entry >"$work/log" 2>&1 &
 server=$!
 

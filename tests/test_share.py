@@ -134,7 +134,7 @@ BAD = {
     "at_1~~x": "no input",  # the marker is no pin's
     "u_SI~~x": "no input",
     "load_sideways~~x": "load must be one of",
-    "fmin_9~fmax_9.1~~x": "must exceed the lowest",
+    "fmin_9~fmax_9.1~~x": "must be below the highest",
     "<script>alert(1)</script>_1~~x": "no input",
     "spin_1~~~~" + "x" * 100_000: "too long",
     "\\x00_\\x00~~": "no input",
