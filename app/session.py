@@ -37,16 +37,17 @@ class Session:
         self.state = State()
         values, doubtful = from_arguments(arguments or {})
         refused = self.state.change(values)
-        # solved with the first message: a bare request for the page costs no more for them
-        self._pins, bad = pins_from_arguments(arguments or {}, self.state.inputs())
+        pins, bad = pins_from_arguments(arguments or {}, self.state.inputs())
         self._problems = [*doubtful, *bad], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
+        for page in self.pages.values():
+            page.expect(pins)
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
-        scheduler = Scheduler()
-        self.files = Files(scheduler, lambda content: self.controls.tell(content), self.state)
+        self._scheduler = Scheduler()
+        self.files = Files(self._scheduler, lambda one: self.controls.tell(one), self.state)
         self.notice = ""
-        self.settling = Settling(self._show_better, scheduler)
+        self.settling = Settling(self._show_better, self._scheduler)
         self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
         self._heard = False
         # what the first paint looks like and keeps room for, so that the first answer moves nothing
@@ -68,8 +69,8 @@ class Session:
 
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Act on one message and describe the state that follows."""
-        self._heard = True
-        self._restore_pins()
+        if not self._heard:
+            self._open()
         values = message.get("values")
         # a forged message may hold anything; lists and arrays have no hash and no truth value
         message = {key: one for key, one in message.items() if isinstance(one, str | int | float)}
@@ -145,12 +146,25 @@ class Session:
         pins = [one for page in self.pages.values() for one in page.kept()]
         return to_query(self.state.inputs(), pins)
 
-    def _restore_pins(self) -> None:
-        pins, self._pins = self._pins, []
-        if pins:
-            named, refused = self._problems
-            found = [one for page in self.pages.values() for one in page.restore(pins)]
-            self._problems = [*named, *found], refused
+    def _open(self) -> None:
+        """Prepare for the first message: draw what a bare request for the page does not cost."""
+        self._heard = True
+        self._shown = None
+        for page in self.pages.values():
+            page.opening = False
+        self._scheduler.call(self._restore_pin)
+
+    def _restore_pin(self) -> None:
+        """Solve one pin of the address and show it; the others wait for a turn of their own."""
+        found = [page.restore_next() for page in self.pages.values()]
+        problems = [one for one in found if one]
+        if all(one is None for one in found):
+            return
+        named, refused = self._problems
+        self._problems = [*named, *problems], refused
+        self._shown = None
+        self._show_better(self._detail())
+        self._scheduler.call(self._restore_pin)
 
     def python(self) -> Reply:
         """Return the view as a program."""

@@ -18,7 +18,7 @@ from pathlib import Path
 from unittest import mock
 from urllib.parse import unquote_plus
 
-from app import files, printing, settling
+from app import files, printing, settling, threads
 from app.growth import known_detail
 from app.session import Session
 from app.share import PINNED, PinnedInputs, to_query
@@ -29,6 +29,8 @@ LONG, QUICK = 600.0, 150.0  # s
 MOST_SECONDS, MOST_MEGABYTES = 0.5, 100.0  # of one request or message
 LIMIT = 20  # s of processor time after which a candidate is ended
 ELITE = 10
+CLOSE = 0.8  # share of the bound above which a candidate is measured three times
+TURN = "a turn after it"  # one pin of the address
 MESSAGES = {
     "first message": {"type": "settle"},
     "a move": {"type": "change", "values": {"spin_speed": 1.99}},
@@ -139,8 +141,10 @@ def _start(self, reply):
 
 def _costs(candidate, messages):
     """Give (name, seconds, megabytes) of opening a page and of each message, one by one."""
+    later: list[object] = []  # what the server does in turns of its own, between messages
     with (
         mock.patch.object(settling.Settling, "detail", _detail),
+        mock.patch.object(threads.Scheduler, "call", lambda _, work: later.append(work)),
         mock.patch.object(files.Files, "start", _start),
         mock.patch.object(printing.Worker, "call", return_value=Future()),
     ):
@@ -150,6 +154,9 @@ def _costs(candidate, messages):
             message = MESSAGES[name]
             _, *spent = _spent(lambda message=message: session.respond(message))
             yield name, *spent
+            while later:
+                _, *spent = _spent(later.pop(0))
+                yield TURN, *spent
 
 
 def measure(candidate, messages=tuple(MESSAGES)):
@@ -170,7 +177,8 @@ def measure(candidate, messages=tuple(MESSAGES)):
     with os.fdopen(read) as lines:
         costs = [json.loads(line) for line in lines]
     os.waitpid(process, 0)
-    for name in ["opening", *messages][len(costs) :][:1]:  # it was ended, or failed
+    answered = [name for name, *_ in costs if name != TURN]
+    for name in ["opening", *messages][len(answered) :][:1]:  # it was ended, or failed
         costs.append((name, float(LIMIT), 0.0))
     return costs
 
@@ -198,6 +206,9 @@ def search(seconds, messages=tuple(MESSAGES), seed=SEED, say=print):
         candidate = child(rng, elite)
         costs = measure(candidate, messages)
         count += 1
+        if max(map(share_of_bound, costs)) > CLOSE:  # perhaps another process took the core
+            again = [measure(candidate, messages) for _ in range(2)]
+            costs = [min(one, key=lambda cost: cost[1]) for one in zip(costs, *again, strict=False)]
         for cost in costs:
             if share_of_bound(cost) > share_of_bound(worst.get(cost[0], (("", 0.0, 0.0),))[0]):
                 worst[cost[0]] = cost, candidate

@@ -211,12 +211,34 @@ def test_a_session_returns_with_its_pins_and_marker():
     answer = session.respond({"type": "settle"})
     assert [one["number"] for one in answer["pins"]["names"]] == [1, 2]
     again = Session(arguments(answer["query"]))
-    assert again.pages["explore"].kept() == []  # a bare request solves none
+    assert again.pages["explore"].pins == []  # a bare request solves none
+    assert again.query() == answer["query"]  # and loses none
     back = again.respond({"type": "hello"})
     assert (back["query"], back["pins"]) == (answer["query"], answer["pins"])
     assert (back["values"], back["address_notice"]) == (answer["values"], "")
     ghosts = [one.pages["explore"].charts["campbell"].sources["pins"] for one in (session, again)]
     assert len(ghosts[0].data["ys"]) == len(ghosts[1].data["ys"]) > 0
+
+
+def test_each_pin_of_an_address_is_solved_in_a_turn_of_its_own(monkeypatch):
+    turns = []
+    monkeypatch.setattr("app.threads.Scheduler.call", lambda self, work: turns.append(work))
+    session = Session(arguments("spin=1&at=1&p1=spin_2~~a&p3=spin_3~~c"))
+    explore = session.pages["explore"]
+    assert not set(explore.charts) & {"response", "orbit"}  # the marked point waits too
+    session.respond({"type": "hello"})
+    assert {"response", "orbit"} <= set(explore.charts)
+    told = []
+    monkeypatch.setattr(session.controls, "tell", told.append)
+    # a pin that is made meanwhile takes a number and a place that no other has
+    session.respond({"type": "pin", "label": "mine"})
+    while turns:
+        turns.pop(0)()
+    assert [[row["name"] for row in one["pins"]["names"]] for one in told] == [
+        ["a", "mine"],
+        ["a", "mine", "c"],
+    ]
+    assert len(explore.charts["load-frequency"].sources["pins"].data["ys"]) > 0
 
 
 def test_a_session_names_a_pin_without_an_answer_and_keeps_the_rest(monkeypatch, caplog):

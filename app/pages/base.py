@@ -67,6 +67,8 @@ class Page:
     chart_keys: ClassVar[tuple[str, ...]] = ()
     # types of messages that this page answers whichever page is in view
     takes: ClassVar[frozenset[str]] = frozenset()
+    # whether the page's document is still being built, before the browser's first message
+    opening = True
 
     def __init__(self) -> None:
         self.charts: dict[str, LiveChart] = {}
@@ -114,9 +116,16 @@ class Page:
         """Return the pins, for the address."""
         return ()
 
-    def restore(self, pins: Sequence[PinnedInputs]) -> list[str]:
-        """Take the pins of an address; name those that have no answer."""
-        return []
+    def expect(self, pins: Sequence[PinnedInputs]) -> None:
+        """Take the pins of an address; `restore_next` solves them one by one."""
+
+    def restore_next(self) -> str | None:
+        """Solve one pin of the address.
+
+        Return None if no pin was waiting, else the pin's name and reason if it has no answer, else
+        an empty text.
+        """
+        return None
 
     def beside(self, state: State) -> dict[str, Any]:
         """Return what this page adds to the answers of the page in view."""

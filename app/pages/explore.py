@@ -42,6 +42,7 @@ class Explore(Page):
     def __init__(self) -> None:
         super().__init__()
         self.pins: list[Pin] = []
+        self._expected: list[PinnedInputs] = []  # pins of the address that are not solved yet
 
     @classmethod
     def fragment(cls) -> str:
@@ -60,7 +61,7 @@ class Explore(Page):
         result = solve(state, settled)
         charts = marked(result.charts, state, result) if state.marker else result.charts
         charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
-        if state.marker:
+        if state.marker and not self.opening:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
@@ -110,7 +111,7 @@ class Explore(Page):
         kind = message.get("type")
         if kind == "pin":
             try:
-                made = pin(state, message.get("label"), self.pins)
+                made = pin(state, message.get("label"), self.kept())
             except ValueError as error:
                 return Reply({"told": told(error)})
             if made is None:
@@ -125,20 +126,25 @@ class Explore(Page):
 
     def kept(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
-        return self.pins
+        return sorted([*self.pins, *self._expected], key=lambda one: one.number)
 
-    def restore(self, pins: Sequence[PinnedInputs]) -> list[str]:
-        """Take the pins of an address; return those that have no answer, with why."""
-        problems = []
-        for one in pins:
-            try:
-                self.pins = [*self.pins, solved(one)]
-            except ValueError as error:
-                problems.append(f"p{one.number} ({told(error)})")
-            except Exception:
-                _LOG.exception("a pin of the address failed: %r", one.inputs)
-                problems.append(f"p{one.number} (it could not be computed)")
-        return problems
+    def expect(self, pins: Sequence[PinnedInputs]) -> None:
+        """Take the pins of an address."""
+        self._expected = list(pins)
+
+    def restore_next(self) -> str | None:
+        """Solve one pin of the address; return None if no pin was waiting."""
+        if not self._expected:
+            return None
+        one = self._expected.pop(0)
+        try:
+            self.pins = sorted([*self.pins, solved(one)], key=lambda pin: pin.number)
+        except ValueError as error:
+            return f"p{one.number} ({told(error)})"
+        except Exception:
+            _LOG.exception("a pin of the address failed: %r", one.inputs)
+            return f"p{one.number} (it could not be computed)"
+        return ""
 
     @staticmethod
     def _shaft(kind: object, text: object, state: State) -> Reply:
@@ -187,7 +193,7 @@ class Explore(Page):
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,
         }
-        if state.marker:
+        if state.marker and not self.opening:
             found = self._inspect(state, result)
             if isinstance(found, str):
                 answer["inspector"] = {"sentence": found, "facts": []}
