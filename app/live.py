@@ -88,8 +88,9 @@ class LiveChart:
         names = dict(zip(plots.hover_names(old), plots.hover_names(new), strict=True))
         for axis, label in ((self.figure.xaxis, new.x_label), (self.figure.yaxis, new.y_label)):
             axis.axis_label = label
-        for tool in self.figure.select(type=HoverTool):
-            tool.tooltips = [(names.get(name, name), value) for name, value in tool.tooltips]
+        for tool in self.figure.tools:
+            if isinstance(tool, HoverTool):
+                tool.tooltips = [(names.get(name, name), value) for name, value in tool.tooltips]
         self.reset_view()
 
     def _add(self, layer: Layer) -> None:
