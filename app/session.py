@@ -41,6 +41,7 @@ class Session:
         self._problems = [*doubtful, *bad], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
         for page in self.pages.values():
+            page.opening = True
             page.expect(pins)
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)

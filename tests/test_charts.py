@@ -233,7 +233,12 @@ def test_ticks_of_a_large_orbit_are_few_and_short():
         assert "toExponential" in axis.formatter.code
 
 
-@given(st.lists(st.floats(0.0, 12.0), max_size=8), st.floats(0.0, 3.0), st.floats(5.0, 14.0))
+# below the normal numbers a share of the window rounds to 0
+@given(
+    st.lists(st.floats(0.0, 12.0, allow_subnormal=False), max_size=8),
+    st.floats(0.0, 3.0, allow_subnormal=False),
+    st.floats(5.0, 14.0),
+)
 def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high):
     rows = _label_tongues([(x, "1B+1F") for x in places], (low, high), 1.0)
     assert len(rows) == sum(low <= x <= high for x in places)

@@ -68,7 +68,7 @@ class Page:
     # types of messages that this page answers whichever page is in view
     takes: ClassVar[frozenset[str]] = frozenset()
     # whether the page's document is still being built, before the browser's first message
-    opening = True
+    opening = False
 
     def __init__(self) -> None:
         self.charts: dict[str, LiveChart] = {}
