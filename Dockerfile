@@ -9,6 +9,8 @@ COPY requirements/serve.txt requirements/
 RUN /opt/rotorstab/bin/python -m pip install --require-hashes --requirement requirements/serve.txt
 COPY pyproject.toml README.md LICENSE ./
 COPY src src
+COPY app app
+COPY deploy deploy
 RUN /opt/rotorstab/bin/python -m pip install --no-deps --no-build-isolation . \
     && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling trove-classifiers pathspec pip
 
@@ -18,8 +20,6 @@ LABEL org.opencontainers.image.title="rotorstab" \
       org.opencontainers.image.licenses="BSD-3-Clause"
 COPY --from=build /opt/rotorstab /opt/rotorstab
 WORKDIR /srv/rotorstab
-COPY deploy deploy
-COPY app app
 # Nothing is written but below /tmp and, once, the secret: the root file system may be read-only.
 RUN install -d -m 0700 -o 10001 -g 10001 /var/lib/rotorstab
 # hadolint ignore=DL3064
@@ -37,8 +37,8 @@ USER 10001:10001
 VOLUME /var/lib/rotorstab
 EXPOSE 5006
 HEALTHCHECK --interval=30s --timeout=5s --start-period=60s --retries=3 \
-    CMD ["python", "/srv/rotorstab/deploy/check.py", "/health"]
-ENTRYPOINT ["sh", "/srv/rotorstab/deploy/start.sh"]
+    CMD ["python", "-m", "deploy.check", "/health"]
+ENTRYPOINT ["python", "-m", "deploy.worker"]
 
 # nginx of the distribution, with the same template and launcher as without Docker.
 FROM worker AS proxy
@@ -49,8 +49,8 @@ RUN apt-get update \
     && rm -rf /var/lib/apt/lists/*
 USER 10001:10001
 HEALTHCHECK --interval=30s --timeout=5s --start-period=60s --retries=3 \
-    CMD ["python", "/srv/rotorstab/deploy/check.py", "/app"]
-ENTRYPOINT ["python", "/srv/rotorstab/deploy/lab.py"]
+    CMD ["python", "-m", "deploy.check", "/app"]
+ENTRYPOINT ["python", "-m", "deploy.lab"]
 
 # without a target: one worker
 FROM worker

@@ -20,10 +20,10 @@ serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
 	@PYTHON=$(PY) ADDRESS=$(ADDRESS) PORT=$(PORT) exec deploy/start.sh
 
 lab: $(VENV)/serve.stamp ## serve a class: nginx before WORKERS workers (docs/deploy.md)
-	@ADDRESS=$(ADDRESS) PORT=$(PORT) ROTORSTAB_WORKERS=$(WORKERS) exec $(PY) deploy/lab.py
+	@ADDRESS=$(ADDRESS) PORT=$(PORT) ROTORSTAB_WORKERS=$(WORKERS) exec $(PY) -m deploy.lab
 
 test: lint ## every check and test, with a browser (found, or installed)
-	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile
+	@CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile
 
 lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file
 	$(PY) -m ruff check
@@ -43,7 +43,7 @@ bench: $(VENV)/dev.stamp ## time the solver and the redraw
 	$(PY) -m benchmarks
 
 screenshots: $(VENV)/dev.stamp ## picture every page in build/screenshots, and the README's
-	@CHROMIUM="$$($(PY) -m tests.browser)" && export CHROMIUM && $(PY) -m docs.screenshots
+	@CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM && $(PY) -m docs.screenshots
 
 lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
 	$(PIP) install --quiet uv

@@ -1,5 +1,5 @@
 """Bokeh reads this once, when a server loads the app and before it listens."""
 
-from .serving import install
+from deploy.patches import plain_serving
 
-install()
+plain_serving.install()

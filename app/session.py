@@ -8,18 +8,18 @@ from typing import Any
 
 import panel as pn
 
-from .controls import Controls
-from .files import Files, export, report
-from .growth import Detail
+from .background.processes import background
+from .background.settling import Settling
+from .background.threads import Scheduler
+from .exports.files import Files, export, report
+from .exports.snippet import python_snippet
+from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
-from .processes import background
-from .settling import Settling
-from .share import describe_problems, from_arguments, pins_from_arguments, to_query
-from .snippet import python_snippet
+from .results.growth_maps import Detail
 from .state import State
-from .threads import Scheduler
-from .words import FAILED, told
+from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
+from .words.refusals import FAILED, told
 
 __all__ = ["Session"]
 

@@ -3,7 +3,7 @@
 One client, a process of its own, sends malformed messages, messages full of hostile values and the
 dearest questions that are allowed, holds idle connections and asks for files, as fast as it is
 let; a bystander moves a slider all the while. The solver inside the server is spied on: every
-number that reaches it must be finite and within State's bounds (`tests/spy.py`).
+number that reaches it must be finite and within State's bounds (`tests/testing/spy.py`).
 All streams are seeded.
 """
 
@@ -24,21 +24,22 @@ from typing import NamedTuple
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest
 
 from benchmarks.classroom.client import User
-from tests import hostile
-from tests.serving import Server
-from tests.wire import opened, token
+from tests.testing import hostile
+from tests.testing.serving import Server
+from tests.testing.wire import opened, token
 
 ROOT = Path(__file__).parents[1]
 PATH = "/spied"
 APP = """
 import logging, sys
-first = "app.main" not in sys.modules
-from tests import spy
+first = "app.document" not in sys.modules
+from tests.testing import spy
 if first:
     spy.seen, spy.found = spy.watch()
-import app.main
-if not first:
-    app.main.build().servable()
+import app.document
+from deploy.patches import plain_serving
+plain_serving.prepare()
+app.document.show()
 logging.getLogger("rotorstab.spy").warning(
     "spy: %d calls, %d violations %s", sum(spy.seen.values()), len(spy.found), spy.found[:3])
 """

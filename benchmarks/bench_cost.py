@@ -18,11 +18,12 @@ from pathlib import Path
 from unittest import mock
 from urllib.parse import unquote_plus
 
-from app import files, printing, settling, threads
-from app.growth import known_detail
+from app.background import printing, settling, threads
+from app.exports import files
+from app.results.growth_maps import known_detail
 from app.session import Session
-from app.share import PINNED, PinnedInputs, to_query
 from app.state import State
+from app.state.address import PINNED, PinnedInputs, to_query
 
 SEED = 20261127
 LONG, QUICK = 600.0, 150.0  # s

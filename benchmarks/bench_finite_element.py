@@ -32,7 +32,7 @@ from rotorstab import (
     lumped,
     whirl_frequencies,
 )
-from rotorstab.window import LOWEST_EDGE, MODES, Model, Window, tongue_outlines
+from rotorstab.maps.window import LOWEST_EDGE, MODES, Model, Window, tongue_outlines
 
 POINTS = 101
 ACCURATE = 6  # coordinates against which growth and edges are measured; all would take hours

@@ -12,11 +12,11 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from rotorstab import BASE_CASE, critical_load, finite_element, fundamental_frequency, lumped
-from rotorstab.characteristic import self_inversive_multipliers
-from rotorstab.floquet import growth_rate
-from rotorstab.modal import state_matrix
-from rotorstab.stability import stability_chart
-from rotorstab.window import Model, Window, floquet_map, whole_map
+from rotorstab.floquet.interpolant.characteristic import self_inversive_multipliers
+from rotorstab.floquet.point import growth_rate
+from rotorstab.maps.stability_map import stability_chart
+from rotorstab.maps.window import Model, Window, floquet_map, whole_map
+from rotorstab.model.modal import state_matrix
 
 QUICK = "--quick" in sys.argv
 LOAD = float(critical_load(BASE_CASE.shear))

@@ -18,11 +18,11 @@ def page():
     from bokeh.document import Document
     from panel.io.state import set_curdoc
 
-    import app.main
+    import app.document
 
     document = Document()
     with set_curdoc(document):
-        app.main.build().server_doc(document)
+        app.document.build().server_doc(document)
     return document
 
 

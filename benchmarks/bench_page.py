@@ -6,8 +6,8 @@ from pathlib import Path
 
 from playwright.sync_api import sync_playwright
 
-from tests.browser import FLAGS, find_browser
-from tests.serving import Server
+from tests.testing.browser import FLAGS, find_browser
+from tests.testing.serving import Server
 
 RUNS = 4
 

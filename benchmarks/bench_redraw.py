@@ -20,8 +20,8 @@ from playwright.sync_api import sync_playwright
 
 from app.state import State
 from benchmarks.redraw.moves import MAP, RATE, SECONDS, SLIDERS, drag, probes, values
-from tests.browser import FLAGS, HELP, find_browser
-from tests.serving import Server
+from tests.testing.browser import FLAGS, HELP, find_browser
+from tests.testing.serving import Server
 
 ROOT = Path(__file__).parents[1]
 REDRAW = Path(__file__).parent / "redraw"

@@ -13,8 +13,8 @@ import numpy as np
 
 from benchmarks.tongue_scan import compare, scan
 from rotorstab import ShaftDisk, System, critical_load, fundamental_frequency, lumped
-from rotorstab.outlines import unstable_outlines
-from rotorstab.stiffness import largest_exact_load
+from rotorstab.floquet.tongues.outlines import unstable_outlines
+from rotorstab.model.stiffness import largest_exact_load
 
 LEAST = 1e-4  # growth that no outline may miss
 GAP = 3.5e-3  # of θ̄: narrower gaps between two tongues may be closed

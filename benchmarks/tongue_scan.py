@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotorstab import System
-from rotorstab.floquet import floquet_solution
+from rotorstab.floquet.point import floquet_solution
 
 Array = NDArray[np.float64]
 

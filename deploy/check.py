@@ -1,17 +1,14 @@
 """Whether what listens on ADDRESS:PORT is well: exit code 0 or 1, for a container's HEALTHCHECK.
 
-`python deploy/check.py /health` asks a worker, `python deploy/check.py /app` asks nginx for the
+`python -m deploy.check /health` asks a worker, `python -m deploy.check /app` asks nginx for the
 page's head, which a worker must answer.
 """
 
 import http.client
 import ssl
 import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-
-from deploy.server.settings import host_name, read
+from .settings import host_name, read
 
 PATIENCE = 4  # s
 EVERYWHERE = {"0.0.0.0": "127.0.0.1", "::": "::1"}

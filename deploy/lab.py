@@ -1,4 +1,4 @@
-"""nginx and identical workers for a class: `python deploy/lab.py [app]`, in the foreground.
+"""nginx and identical workers for a class: `python -m deploy.lab [app]`, in the foreground.
 
 Starts ROTORSTAB_WORKERS workers on loopback and nginx in front of them, starts again what ends,
 and ends all on SIGTERM, the workers first: a running export still leaves through nginx. With
@@ -21,12 +21,10 @@ import tempfile
 from contextlib import suppress
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-
-from deploy import nginx, nginx_log
-from deploy.server import logs
-from deploy.server.secret import find_secret
-from deploy.server.settings import SettingError, Settings, check_port, read, stop
+from . import nginx, nginx_log
+from .patches import logs
+from .secret import find_secret
+from .settings import SettingError, Settings, check_port, read, stop
 
 LOG = logging.getLogger("rotorstab.lab")
 SOONEST, LATEST = 0.5, 10.0  # s before a process is started again
@@ -165,7 +163,7 @@ async def serve(settings: Settings, binary: str, folder: Path) -> int:
     if settings.upstream:
         others = [asyncio.create_task(follow(settings, binary, folder, places, ending))]
     else:
-        worker = [sys.executable, str(Path(__file__).with_name("worker.py")), *sys.argv[1:]]
+        worker = [sys.executable, "-m", "deploy.worker", *sys.argv[1:]]
         own = {"ADDRESS": "127.0.0.1", "ROTORSTAB_ORIGINS": ",".join(settings.origins)}
         others = [
             asyncio.create_task(

@@ -10,9 +10,9 @@ from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from .server.constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS, PAGE_FILES
-from .server.pages import error_page, retry_seconds
-from .server.settings import LOOPBACK, Settings, host_name
+from .constants import HEADER_BUFFER, HEADERS, LONGEST_ADDRESS, PAGE_FILES
+from .error_pages import error_page, retry_seconds
+from .settings import LOOPBACK, Settings, host_name
 
 TEMPLATE = "nginx.conf.j2"
 CONNECTIONS = 20  # of a page: six of the browser, the socket, and others that only wait

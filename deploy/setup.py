@@ -1,36 +1,48 @@
-"""Harden `panel serve`: pass this file as `--setup deploy/setup.py`. See `deploy/server`."""
+"""Harden `panel serve`: pass this file as `--setup deploy/setup.py`. See `deploy/patches`."""
 
-import sys
-from importlib import import_module
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-
-from deploy.server import patching, settings
+from deploy import dashboard, settings
+from deploy.patches import patching
 
 try:
     found = settings.read()
 except settings.SettingError as problem:
     settings.stop(problem)
-# logs first, the slow things last
-PARTS = (
-    "logs",
-    "faults",
-    "threads",
-    "headers",
-    "hosts",
-    "addresses",
-    "limits",
-    "connections",
-    "messages",
-    "sessions",
-    "health",
-    "metrics",
-    "lifecycle",
-)
 try:
-    for name in PARTS:
-        import_module(f"deploy.server.{name}").install(found)
+    # where Panel, Bokeh or Tornado have moved a part, its patch cannot even be imported
+    from deploy.patches import (
+        addresses,
+        connections,
+        faults,
+        headers,
+        health,
+        hosts,
+        lifecycle,
+        limits,
+        logs,
+        messages,
+        metrics,
+        sessions,
+        threads,
+    )
+
+    # logs first, the slow things last
+    for part in (
+        logs,
+        faults,
+        threads,
+        headers,
+        hosts,
+        addresses,
+        limits,
+        connections,
+        messages,
+        sessions,
+        health,
+        metrics,
+        lifecycle,
+    ):
+        part.install(found)
 except (ImportError, AttributeError) as problem:
     settings.stop(patching.explain(problem))
-import_module("deploy.server.dashboard").install(found)
+patching.hardened = True
+dashboard.warm_up()

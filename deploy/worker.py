@@ -1,4 +1,4 @@
-"""One worker: `python deploy/worker.py [directory or file of the app] [more of panel serve]`.
+"""One worker: `python -m deploy.worker [directory or file of the app] [more of panel serve]`.
 
 One process a worker: with Panel's --num-procs a stopped parent leaves its children serving.
 """
@@ -8,17 +8,15 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from . import dashboard
+from .secret import find_secret
+from .settings import SettingError, Settings, check_port, read, stop
 
-from deploy.server.secret import find_secret
-from deploy.server.settings import SettingError, Settings, check_port, read, stop
-
-ROOT = Path(__file__).resolve().parents[1]
 LARGEST_MESSAGE = 262_144  # bytes
 # options of panel serve that a server for others must not have, and why
 REFUSED = {
     "num-procs": "its processes go on serving after the first one was stopped; ROTORSTAB_WORKERS "
-    "and deploy/lab.py start workers",
+    "and `python -m deploy.lab` start workers",
     "autoreload": "it watches the files of a developer",
     "dev": "it watches the files of a developer",
     "admin": "its pages have no login",
@@ -34,8 +32,8 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
         **({} if settings.address == "::" else {"address": settings.address}),
         "port": settings.port,
         **({"prefix": settings.prefix} if settings.prefix else {}),
-        "setup": ROOT / "deploy" / "setup.py",
-        "plugins": "deploy.server.routes",
+        "setup": Path(__file__).with_name("setup.py"),
+        "plugins": "deploy.patches.routes",
         "websocket-max-message-size": LARGEST_MESSAGE,
         "session-token-expiration": settings.token_lifetime,
         "keep-alive": settings.keep_alive * 1000,
@@ -70,13 +68,14 @@ def main() -> None:
     os.environ |= {"BOKEH_SIGN_SESSIONS": "yes", "BOKEH_RESOURCES": "server"}
     # a worker is for one core; threads that wait for each other cost a settled map 40 % more
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    app = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "app")
+    app = sys.argv[1] if len(sys.argv) > 1 else str(dashboard.FOLDER)
     if not Path(app).exists():
         stop(f"there is no app at {app}")
     try:
         arguments = command(settings, app, sys.argv[2:])
     except SettingError as problem:
         stop(problem)
+    dashboard.served = dashboard.is_dashboard(app)
     from panel.command import main as panel  # seconds: not before the settings are known good
 
     sys.argv = arguments

@@ -18,7 +18,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, sync_playwright
 
 from app.lessons import library
-from tests.browser import find_browser
+from tests.testing.browser import find_browser
 
 ROOT = Path(__file__).resolve().parent.parent
 VIEWS = {

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from rotorstab.figures import figure_6
-from rotorstab.plots_paper import figure_files
+from rotorstab.drawing.printed import figure_files
+from rotorstab.paper import figure_6
 
 figure = figure_6(spin_speeds=(0.0, 1.0, 2.0), static_factors=(0.0, 0.2, 0.5))
 

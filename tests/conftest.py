@@ -6,8 +6,8 @@ from urllib.parse import urlsplit
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.browser import FLAGS, HELP, find_browser
-from tests.serving import Server
+from tests.testing.browser import FLAGS, HELP, find_browser
+from tests.testing.serving import Server
 
 # no test asserts a time, and machines of a CI are slow and shared
 settings.register_profile("shared", deadline=None, suppress_health_check=[HealthCheck.too_slow])

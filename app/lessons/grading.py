@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..typed_number import TwoReadings, read_number
-from ..words import told as in_words
+from ..reading.numbers import TwoReadings, read_number
+from ..words.refusals import told as in_words
 from .expressions import DEFAULT_CASE, Values
 from .format import Lesson, Step
 from .markdown import plain

@@ -13,7 +13,7 @@ import numpy as np
 
 from rotorstab import in_bolotin_region
 
-from ..curves import flutter
+from ..results.curves import flutter
 from ..state import State
 from .situation import Situation
 

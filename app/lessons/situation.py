@@ -22,11 +22,11 @@ from rotorstab import (
     resonances,
     whirl_frequencies,
 )
-from rotorstab.floquet import FloquetSolution, floquet_solution
-from rotorstab.whirl import mode_names, named_frequencies
+from rotorstab.floquet.point import FloquetSolution, floquet_solution
+from rotorstab.whirl.frequencies import mode_names, named_frequencies
 
-from ..analysis import Model
-from ..curves import reference_load
+from ..results.analysis import Model
+from ..results.curves import reference_load
 from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..foreign_toml import TomlError, read_toml
+from ..reading.toml import TomlError, read_toml
 from ..state import State
 
 __all__ = ["LessonError", "Table", "set_inputs"]

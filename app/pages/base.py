@@ -12,12 +12,12 @@ from typing import Any, ClassVar
 import panel as pn
 
 from rotorstab.charts import Chart
-from rotorstab.window import Window, whole_map
+from rotorstab.maps.window import Window, whole_map
 
-from ..growth import Detail, keep
-from ..live import LiveChart
-from ..share import PinnedInputs
+from ..live.chart import LiveChart
+from ..results.growth_maps import Detail, keep
 from ..state import State
+from ..state.address import PinnedInputs
 
 __all__ = ["FRAGMENTS", "Need", "Page", "Reply"]
 

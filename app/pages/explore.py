@@ -10,21 +10,21 @@ from typing import Any
 from bokeh.models import CustomJS
 
 from rotorstab.charts import Chart
-from rotorstab.window import Window
+from rotorstab.maps.window import Window
 
-from ..analysis import CHARTS, Result, solve, window_of
-from ..curves import load_kinds
-from ..growth import Detail, known_detail
-from ..inspector import INSPECTOR_CHARTS, Inspection, inspect, marked
-from ..live import LiveChart
-from ..pins import Pin, differences, ghosted, pin, solved
-from ..rotor_file import read_rotor_file, write_rotor_file
-from ..share import MOST_PINS, PinnedInputs
+from ..live.chart import LiveChart
+from ..results.analysis import CHARTS, Result, solve, window_of
+from ..results.curves import load_kinds
+from ..results.growth_maps import Detail, known_detail
 from ..state import SYMBOLS, State
-from ..units import displayed, shaft_words, shown_scales, si_answer
-from ..verdict import verdict, verdict_room
-from ..words import told
+from ..state.address import MOST_PINS, PinnedInputs
+from ..state.rotor_file import read_rotor_file, write_rotor_file
+from ..words.refusals import told
+from ..words.si import displayed, shaft_words, shown_scales, si_answer
+from ..words.verdict import verdict, verdict_room
 from .base import FRAGMENTS, Page, Reply
+from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, marked
+from .pins import Pin, differences, ghosted, pin, solved
 
 __all__ = ["Explore"]
 

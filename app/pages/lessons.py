@@ -10,11 +10,11 @@ from typing import Any
 
 from markupsafe import Markup
 
-from ..controls import field
 from ..lessons import Lesson, Step, Unanswerable, grade, library
 from ..lessons.grading import number_text, told
 from ..lessons.markdown import plain
 from ..lessons.quantities import evaluate, find
+from ..live.controls import field
 from ..state import SYMBOLS, State
 from .base import Page, Reply
 

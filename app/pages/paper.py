@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from rotorstab import figures
-from rotorstab.charts.written import written
-from rotorstab.figures import FIGURES, FLOQUET_FIGURES, Figure, table_1
+from rotorstab import paper
+from rotorstab.charts.numbers import written
+from rotorstab.paper import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
-from ..comparisons import figure_known, keep_figure, paper_figure
-from ..printing import printer
+from ..background.printing import printer
+from ..results.comparisons import figure_known, keep_figure, paper_figure
 from ..state import PRESETS, SYMBOLS, State
 from .base import Need, Page, Reply
 
@@ -99,7 +99,7 @@ def figure_need(number: int, floquet: bool) -> Need | None:
     """Return what must be made before `paper_figure` is quick, if anything."""
     if figure_known(number, floquet):
         return None
-    return Need(figures.paper_figure, (number, floquet), partial(keep_figure, number, floquet))
+    return Need(paper.paper_figure, (number, floquet), partial(keep_figure, number, floquet))
 
 
 class Paper(Page):

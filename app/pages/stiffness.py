@@ -8,7 +8,7 @@ import numpy as np
 
 from rotorstab.charts import Chart
 
-from ..comparisons import error_table, stiffness_comparison
+from ..results.comparisons import error_table, stiffness_comparison
 from ..state import State
 from .base import Page
 

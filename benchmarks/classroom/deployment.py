@@ -12,9 +12,8 @@ from pathlib import Path
 
 from prometheus_client.parser import text_string_to_metric_families
 
-from tests.serving import START, Server
+from tests.testing.serving import Server
 
-LAB = START.with_name("lab.py")
 ENDING = 30  # s
 
 
@@ -34,13 +33,13 @@ def is_free(port):
 
 
 class Deployment(Server):
-    """`python deploy/lab.py` with some workers; ended with all that it started."""
+    """`python -m deploy.lab` with some workers; ended with all that it started."""
 
     def __init__(self, folder, workers=2, **environment):
         self.first_port, self.count = free_ports(workers), workers
         super().__init__(
             Path(folder) / "lab.txt",
-            command=[sys.executable, LAB],
+            command=[sys.executable, "-m", "deploy.lab"],
             ROTORSTAB_WORKERS=str(workers),
             ROTORSTAB_WORKER_PORT=str(self.first_port),
             **environment,
@@ -69,7 +68,7 @@ class Deployment(Server):
             with suppress(OSError):
                 entry = Path(f"/proc/{process}")
                 port = re.search(rb"\0PORT=(\d+)\0", (entry / "environ").read_bytes())
-                if port and b"worker.py" in (entry / "cmdline").read_bytes():
+                if port and b"deploy.worker" in (entry / "cmdline").read_bytes():
                     found[int(port[1])] = process
         return found
 

@@ -7,8 +7,8 @@ import signal
 import time
 from contextlib import suppress
 
-from .client import Lost, Refused, User
-from .moving import Moves, random_moves, take_turns
+from benchmarks.classroom.client import Lost, Refused, User
+from benchmarks.classroom.moving import Moves, random_moves, take_turns
 
 NOTICED = 2.0  # s after which every socket of a killed worker is gone
 

@@ -9,11 +9,10 @@ from pathlib import Path
 
 from bokeh.protocol.messages.patch_doc import patch_doc
 
+from benchmarks.classroom.client import _TOKEN, PATIENCE, Lost, User
+from benchmarks.classroom.moving import Moves
 from benchmarks.redraw.moves import SLIDERS, values
-from tests.serving import Server
-
-from .client import _TOKEN, PATIENCE, Lost, User
-from .moving import Moves
+from tests.testing.serving import Server
 
 PAGE = Path(__file__).parents[1] / "redraw" / "floor.py"
 COUNT = 12  # values of a slider

@@ -6,7 +6,7 @@ import time
 
 from playwright.async_api import async_playwright
 
-from tests.browser import FLAGS, find_browser
+from tests.testing.browser import FLAGS, find_browser
 
 SHOWN = "value => window.rotorstab?.last?.values.spin_speed === value"
 STATE = 1.37

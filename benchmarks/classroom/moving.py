@@ -7,9 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from app.state import State
-
-from .client import REST, Lost, User
-from .table import percentile
+from benchmarks.classroom.client import REST, Lost, User
+from benchmarks.classroom.table import percentile
 
 SLIDERS = ("spin_speed", "static_load_factor", "shear", "disk_mass", "diametral_inertia")
 LESSON = 20  # steps of the lesson's slider that the whole class takes

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 
-from .client import Refused, User
+from benchmarks.classroom.client import Refused, User
 
 SLOPE = 0.05  # MB a cycle
 VALUES = 20

@@ -11,10 +11,10 @@ from bokeh.io import curdoc
 from bokeh.models import ColumnDataSource, HoverTool, Range1d, Slider
 from bokeh.plotting import figure
 
-from app.live import LiveChart
+from app.live.chart import LiveChart
 from app.state import State
 from benchmarks.redraw.moves import MAP, SLIDERS, charts, drag, moving_columns, values
-from rotorstab import plots
+from rotorstab.drawing import screen
 
 COUNT = int(os.environ["FLOOR_COUNT"])
 SIZES = json.loads(os.environ["FLOOR_SIZES"])
@@ -37,7 +37,7 @@ for key, chart in charts(without=WITHOUT).items():
     )
     looks = LiveChart(chart).figure.renderers
     for layer, look in zip(chart.layers, looks, strict=True):
-        source = sources[key, layer.label] = ColumnDataSource(plots.columns(layer))
+        source = sources[key, layer.label] = ColumnDataSource(screen.columns(layer))
         renderer = made.add_glyph(source, look.glyph.clone())
         if layer.kind in ("lines", "points"):
             made.add_tools(HoverTool(renderers=[renderer], tooltips="@name", visible=False))
@@ -47,7 +47,7 @@ def patches(slider, value, moving):
     """Return the columns of each source and the ends of each range for one value."""
     data = []
     for (key, label), names in moving.items():
-        columns = plots.columns(charts(slider, value)[key].layer(label))
+        columns = screen.columns(charts(slider, value)[key].layer(label))
         data.append((sources[key, label], {name: columns[name] for name in names}))
     ends = [
         (axis, {"start": start, "end": end})

@@ -5,10 +5,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from app.analysis import solve
-from app.live import _same
+from app.live.chart import _same
+from app.results.analysis import solve
 from app.state import State
-from rotorstab import plots
+from rotorstab.drawing import screen
 
 SLIDERS = ("static_load_factor", "spin_speed", "shear")
 MAP = ("growth", "disagreement")  # layers that a page without Floquet's map lacks
@@ -58,8 +58,8 @@ def moving_columns(slider, table, without=()):
     for value in table:
         for key, chart in charts(slider, value, without=without).items():
             for layer in chart.layers:
-                first = plots.columns(charts(slider, table[0])[key].layer(layer.label))
-                for name, column in plots.columns(layer).items():
+                first = screen.columns(charts(slider, table[0])[key].layer(layer.label))
+                for name, column in screen.columns(layer).items():
                     if not _same(column, first[name]):
                         found.setdefault((key, layer.label), set()).add(name)
     return found
@@ -69,7 +69,7 @@ def probe(chart):
     """Return one number that tells which values a chart shows: `probe` of probe.js."""
     total = 0.0
     for layer in chart.layers:
-        data = plots.columns(layer)
+        data = screen.columns(layer)
         for one in ("xs", "ys", "x", "y"):
             column = data.get(one, ())
             while len(column) and not np.isscalar(column[0]):

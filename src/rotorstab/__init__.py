@@ -1,32 +1,32 @@
 """Parametric instability of a cantilever shaft–disk rotor under a pulsating load."""
 
-from .bolotin import (
+from .bolotin.hill import hill_boundary_frequencies
+from .bolotin.regions import (
     BolotinChart,
     bolotin_chart,
     bolotin_mask,
     boundary_frequencies,
     in_bolotin_region,
 )
-from .critical import beck_load, critical_load, flutter_load
-from .finite_element import finite_element
-from .floquet import floquet_multipliers, growth_rate
-from .hill import hill_boundary_frequencies
-from .margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
-from .overlaps import FirstOrderRegion, first_order_regions
-from .resonance import Resonance, ResonanceTable, resonances
-from .response import (
+from .floquet.first_order import FirstOrderRegion, first_order_regions
+from .floquet.point import floquet_multipliers, growth_rate
+from .floquet.resonance import Resonance, ResonanceTable, resonances
+from .floquet.response import (
     ShaftShape,
     TimeResponse,
     initial_conditions,
     shaft_shape,
     time_response,
 )
-from .rotor import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
-from .stability import StabilityChart, stability_chart, stability_map
-from .stiffness import exact_stiffness, linear_stiffness
-from .system import System, fundamental_frequency, lumped
-from .tongues import TongueEdges, tongue_edges
-from .whirl import (
+from .floquet.tongues.edges import TongueEdges, tongue_edges
+from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
+from .maps.stability_map import StabilityChart, stability_chart, stability_map
+from .model.finite_element import finite_element
+from .model.stiffness import exact_stiffness, linear_stiffness
+from .model.system import System, fundamental_frequency, lumped
+from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
+from .whirl.critical_loads import beck_load, critical_load, flutter_load
+from .whirl.frequencies import (
     CriticalSpeeds,
     WhirlCurves,
     campbell_diagram,

@@ -4,20 +4,14 @@ A `Chart` is a frozen description (axes, layers of named columns). `plots` draws
 dashboard patches its columns, a table export writes them: all three see the same arrays.
 """
 
-from .inspector import (
-    marker_layer,
-    multiplier_chart,
-    orbit_chart,
-    pair_layers,
-    response_chart,
-)
+from .as_figure import chart_figure
 from .instability import GrowthGrid, instability_chart
-from .paper import chart_figure
+from .numbers import LOAD_UNITS, load_unit, written
+from .point import marker_layer, multiplier_chart, orbit_chart, pair_layers, response_chart
+from .si import chart_factors, in_seconds, in_si
 from .stiffness import error_loads, stiffness_charts
 from .structure import ROLES, Chart, Layer, Role, axis_symbol
-from .units import chart_factors, in_seconds, in_si
 from .whirl import campbell_chart, load_frequency_chart
-from .written import LOAD_UNITS, load_unit, written
 
 __all__ = [
     "LOAD_UNITS",

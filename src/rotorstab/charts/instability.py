@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bolotin import BolotinChart
-from ..outlines import Outline
+from ..bolotin.regions import BolotinChart
+from ..floquet.tongues.outlines import Outline
 from .structure import Chart, Layer, Lines, label_columns
 
 __all__ = ["GrowthGrid", "instability_chart"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..critical import critical_load
-from ..stiffness import exact_stiffness, largest_exact_load, linear_stiffness
+from ..model.stiffness import exact_stiffness, largest_exact_load, linear_stiffness
+from ..whirl.critical_loads import critical_load
 from .structure import Chart, Layer, Lines, label_columns
 
 __all__ = ["error_loads", "stiffness_charts"]

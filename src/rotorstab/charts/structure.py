@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quartic import is_real
-from ..whirl import WhirlCurves
+from .._numerics.quartic import is_real
+from ..whirl.frequencies import WhirlCurves
 
 __all__ = [
     "ROLES",

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..whirl import CriticalSpeeds, WhirlCurves
+from ..whirl.frequencies import CriticalSpeeds, WhirlCurves
 from .structure import Chart, Layer, Lines, around_zero, label_columns, mark_columns
 
 __all__ = ["campbell_chart", "load_frequency_chart"]

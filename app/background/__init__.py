@@ -1,0 +1,1 @@
+"""Work that would block the pages: its processes, its threads, and the files made there."""

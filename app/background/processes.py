@@ -1,0 +1,243 @@
+"""Processes of the server's own for work that would hold up its pages.
+
+A worker that is killed takes its processes along. Everything here may be used by any thread.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Hashable, Iterator
+from concurrent.futures import CancelledError, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from multiprocessing.context import SpawnContext, SpawnProcess
+from threading import Lock, Thread
+from time import monotonic, sleep
+from types import ModuleType
+from typing import Any
+
+from . import child
+
+__all__ = ["Background", "Worker", "background", "settle"]
+
+_main = Lock()
+
+
+@contextmanager
+def _no_main() -> Iterator[None]:
+    """Hide the main module: a spawned process would run it again."""
+    with _main:
+        main = sys.modules["__main__"]
+        sys.modules["__main__"] = ModuleType("__main__")
+        try:
+            yield
+        finally:
+            sys.modules["__main__"] = main
+
+
+def settle(future: Future[Any], result: Callable[[], Any]) -> None:
+    """End a future with what `result` returns or raises, unless it has ended."""
+    if future.done() or not (future.running() or future.set_running_or_notify_cancel()):
+        return
+    try:
+        made = result()
+    except BaseException as problem:  # a CancelledError too: whoever waits hears of it
+        future.set_exception(problem)
+    else:
+        future.set_result(made)
+
+
+def _failed(problem: Exception) -> Future[Any]:
+    """Return a future that has failed; cancelled where the interpreter ends."""
+    failed: Future[Any] = Future()
+    if isinstance(problem, RuntimeError) and not isinstance(problem, BrokenProcessPool):
+        failed.cancel()
+    else:
+        failed.set_exception(problem)
+    return failed
+
+
+class _Spawn(SpawnContext):
+    """Starts processes anew, since a fork would carry the server's sockets along; notes them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.started: list[SpawnProcess] = []
+
+    def Process(self, *args: Any, **kwargs: Any) -> SpawnProcess:
+        self.started.append(SpawnProcess(*args, **kwargs))
+        return self.started[-1]
+
+
+class Worker:
+    """One process that makes one call after the other.
+
+    It is started at the first call, and at the next one after it died.
+    """
+
+    def __init__(self, niceness: int = 0) -> None:
+        self._niceness = niceness
+        self._lock = Lock()
+        self._pool: ProcessPoolExecutor | None = None
+        self._spawn = _Spawn()
+
+    def call(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        """Return the future of a call; it fails where no process can be started."""
+        with self._lock:
+            for last in (False, True):
+                try:
+                    if self._pool is None:
+                        self._pool = self._started()
+                    with _no_main():
+                        return self._pool.submit(function, *arguments)
+                except Exception as problem:  # it was killed, or the machine has no room for it
+                    self._pool = None
+                    if last:
+                        return _failed(problem)
+        raise AssertionError("not reached")
+
+    def _started(self) -> ProcessPoolExecutor:
+        self._spawn = _Spawn()
+        return ProcessPoolExecutor(1, self._spawn, child.prepare, (self._niceness,))
+
+    def pids(self) -> list[int]:
+        """Return the ids of the processes that live."""
+        return [one.pid for one in self._spawn.started if one.pid and one.is_alive()]
+
+    def close(self, kill: bool = False) -> None:
+        """End the process: after the call that it works on or, to `kill`, at once."""
+        with self._lock:
+            pool, self._pool = self._pool, None
+        if pool is not None:
+            if kill:
+                for process in self._spawn.started:
+                    process.kill()
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+CROWD = 3  # number of active sessions from which on background work waits for a pause
+ACTIVE = 2.0  # s after its last message for which a session is active
+PAUSE = 0.3  # s without a message in a crowd, after which nobody is held up
+PATIENCE = 3.0  # s; whoever has waited so long is served though a crowd is busy
+
+
+@dataclass
+class _Work:
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
+    requested: float = field(default_factory=monotonic)
+    future: Future[Any] = field(default_factory=Future)
+    wanted: int = 0
+    begun: bool = False
+
+
+class Background:
+    """One process of low priority for work that may wait; equal work is done once.
+
+    A low priority is not enough: cores share their caches and more, and while a class moves its
+    sliders most of what it asks for is dropped soon. So in a crowd work waits for a pause.
+    """
+
+    def __init__(self, niceness: int = 19) -> None:
+        self._worker = Worker(niceness)
+        self._lock = Lock()
+        self._works: dict[Hashable, _Work] = {}  # the oldest first
+        self._active: dict[Hashable, float] = {}
+        self._serving = False  # whether a thread waits for the works' turns
+        self._closed = False
+
+    def touch(self, who: Hashable) -> None:
+        """Note that a message of somebody is being answered."""
+        with self._lock:
+            self._active.pop(who, None)
+            self._active[who] = monotonic()  # the latest is the last
+
+    def request(self, function: Callable[..., Any], *arguments: Hashable) -> Future[Any]:
+        """Return the future of a call whose arguments can be pickled.
+
+        Whoever no longer needs it says so with `withdraw`.
+        """
+        key = function, arguments
+        with self._lock:
+            work = self._works.get(key) or _Work(function, arguments)
+            if self._closed:
+                work.future.cancel()
+                return work.future
+            if not self._serving:
+                try:
+                    Thread(target=self._serve, name="background", daemon=True).start()
+                except RuntimeError as problem:  # the machine has no room for it
+                    work.future.set_exception(problem)
+                    return work.future
+                self._serving = True
+            self._works[key] = work
+            work.wanted += 1
+            return work.future
+
+    def withdraw(self, function: Callable[..., Any], *arguments: Hashable) -> None:
+        """Drop a call that nobody else waits for, unless it has begun."""
+        key = function, arguments
+        with self._lock:
+            work = self._works.get(key)
+            if work is None:
+                return
+            work.wanted -= 1
+            if work.wanted > 0 or work.begun:
+                return
+            del self._works[key]
+        work.future.cancel()
+
+    def _serve(self) -> None:
+        """Make what was asked for, first come, first served, until nothing is left."""
+        while (work := self._next()) is not None:
+            result = self._call(work)
+            with self._lock:
+                del self._works[work.function, work.arguments]
+            settle(work.future, result)
+
+    def _call(self, work: _Work) -> Callable[[], Any]:
+        """Make a call and wait for it; return what returns or raises as it did."""
+        for last in (False, True):
+            made = self._worker.call(work.function, *work.arguments)
+            with suppress(CancelledError):
+                killed = isinstance(made.exception(), BrokenProcessPool)
+                if killed and not last and not self._closed:
+                    continue  # the next process may live
+            break
+        return made.result
+
+    def _next(self) -> _Work | None:
+        """Wait for a pause of the crowd; return the oldest work, or None where there is none."""
+        while True:
+            with self._lock:
+                work = next(iter(self._works.values()), None)
+                if work is None:
+                    self._serving = False
+                    return None
+                wait = min(work.requested + PATIENCE, self._busy_until()) - monotonic()
+                if wait <= 0:
+                    work.begun = True
+                    return work
+            sleep(wait)
+
+    def _busy_until(self) -> float:
+        """Return until when the server is busy with a crowd, if no more messages come."""
+        now = monotonic()
+        for who in [one for one, when in self._active.items() if now - when > ACTIVE]:
+            del self._active[who]
+        return [*self._active.values()][-1] + PAUSE if len(self._active) >= CROWD else 0.0
+
+    def close(self) -> None:
+        """End the process, whatever it works on: nobody waits for it any more."""
+        with self._lock:
+            self._closed = True
+            waiting = [key for key, work in self._works.items() if not work.begun]
+            dropped = [self._works.pop(key) for key in waiting]
+        for work in dropped:
+            work.future.cancel()
+        self._worker.close(kill=True)
+
+
+background = Background()
+"""The server's one process for settled maps, shared by all sessions."""

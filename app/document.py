@@ -1,0 +1,157 @@
+"""The whole page: one document, one session."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import nullcontext
+from pathlib import Path
+from types import MappingProxyType
+
+import panel as pn
+from markupsafe import Markup
+
+from rotorstab.charts import ROLES, Role
+
+from .background.printing import FORMATS
+from .background.threads import turn
+from .pages import PAGES
+from .pages.lessons import cards
+from .session import Session
+
+ASSETS = Path(__file__).parent / "assets"
+STYLES = ("page.css", "inspector.css", "lessons.css")
+# connection.js stands before Bokeh's files; each script adds to what those before it made
+SCRIPTS = (
+    "messages.js",
+    "page.js",
+    "units.js",
+    "paper.js",
+    "inspector.js",
+    "shaft.js",
+    "lessons.js",
+)
+# those that are drawn depend on the load type and the stiffness chosen
+LOADS = ("axial", "follower", "partly", "axial exact", "follower exact", "partly exact")
+LEGENDS = {
+    "instability": ("backward", "forward", "edge"),
+    "load_frequency": (*LOADS, "growing", "limit", "current"),
+    "campbell": ("backward", "forward", "growing", "synchronous", "current"),
+    "coefficients": ("exact", "linear"),
+    "errors": ("k11", "k22", "level"),
+}
+# the switch of a stroke's layer, which is muted in the legend while that is off
+SWITCHED = {"backward": "show_bolotin", "forward": "show_bolotin", "edge": "show_growth"}
+
+
+def meaning(role: Role) -> Markup | str:
+    """Return what a stroke means; symbols lose the bar of the non-dimensional in SI."""
+    plain = role.meaning.replace("\u0304", "")
+    if "ω" not in plain:  # coefficients stay as they are
+        return role.meaning
+    texts = Markup('<span class="nd">{}</span><span class="si">{}</span>')
+    return texts.format(role.meaning, plain)
+
+
+def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
+    """Return what the browser knows an entry by: its switch, or the curve that it names."""
+    if name in switched:
+        return Markup(' data-layer="{}"').format(switched[name])
+    if name in LOADS:
+        return Markup(' data-curve="{}"{}').format(
+            name, "" if name in LOADS[:2] else Markup(" hidden")
+        )
+    return ""
+
+
+def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyType({})) -> Markup:
+    """Return an HTML legend whose strokes are those of the chart.
+
+    `switched` names the switch of a role, where it has one.
+    """
+    entries = []
+    for name in roles:
+        role = ROLES[name]
+        entries.append(
+            Markup(
+                '<li{}><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
+                'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
+            ).format(
+                _attribute(name, switched),
+                role.color,
+                role.width,
+                "" if role.dash == "solid" else role.dash,
+                meaning(role),
+            )
+        )
+    return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
+
+
+def asset(name: str) -> str:
+    """Return the text of a file in assets."""
+    return (ASSETS / name).read_text(encoding="utf-8")
+
+
+def layout() -> str:
+    """Return the Jinja text of the whole document, every page's layout in its section."""
+    sections = [
+        f'<section class="page" data-page="{page.key}" aria-label="{page.title}"'
+        f' aria-busy="{"true" if page.chart_keys else "false"}"'
+        f"{' hidden' if index else ''}>{page.fragment()}</section>"
+        for index, page in enumerate(PAGES)
+    ]
+    links = [f'<a href="#{page.key}">{page.title}</a>' for page in PAGES]
+    text = asset("page.html")
+    beside = (ASSETS / "pages" / "lesson.html").read_text(encoding="utf-8")
+    for mark, content in (("pages", sections), ("links", links), ("beside", [beside])):
+        text = text.replace(f"<!-- {mark} -->", "".join(content))
+    return text
+
+
+LAYOUT = layout()
+
+
+def download(key: str) -> Markup:
+    """Return the export menu of a live chart."""
+    options = Markup("").join(
+        Markup('<option value="{}">{}</option>').format(kind, kind.upper()) for kind in FORMATS
+    )
+    return Markup(
+        '<select class="export" data-chart="{}" aria-label="Export this chart">'
+        '<option value="">Export …</option>{}</select>'
+    ).format(key, options)
+
+
+class PageTemplate(pn.Template):
+    """The whole page."""
+
+    def __repr__(self) -> str:
+        """Return a short name: Panel writes it anew for every part that is added."""
+        return "rotorstab"
+
+
+def build() -> pn.Template:
+    """Return a page of its own session."""
+    template = PageTemplate(LAYOUT)
+    template.title = "rotorstab"
+    session = Session(pn.state.session_args)
+    for name, root in session.roots().items():
+        template.add_panel(name, root)
+    template.add_variable("style", Markup("\n".join(map(asset, STYLES))))
+    template.add_variable("connection", Markup(asset("connection.js")))
+    template.add_variable("scripts", [Markup(asset(name)) for name in SCRIPTS])
+    template.add_variable("lessons", cards())
+    legends = {
+        key: legend(roles, SWITCHED if key == "instability" else {})
+        for key, roles in LEGENDS.items()
+    }
+    template.add_variable("legends", legends)
+    template.add_variable("download", download)
+    template.add_variable("first", session.first)
+    return template
+
+
+def show() -> None:
+    """Add the page to the document that is being served."""
+    # Bokeh walks every model once a root and change; once at the end is enough
+    with turn, pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
+        build().servable()

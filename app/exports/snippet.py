@@ -1,0 +1,196 @@
+"""The Python program that computes what the Explore page shows, with rotorstab alone."""
+
+from __future__ import annotations
+
+import math
+
+from rotorstab.maps.window import ELEMENTS, MODES, PIXELS, map_options
+from rotorstab.model.stiffness import largest_exact_load
+
+from ..pages.marked_point import inspect
+from ..results.analysis import BOUNDARY_ROWS, Result, model_of, solve
+from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_kinds
+from ..state import State
+
+__all__ = ["python_snippet"]
+
+
+def _arguments(**values: object) -> str:
+    return ", ".join(f"{name}={value!r}" for name, value in values.items())
+
+
+def _system(state: State, tangency: float, law: str, damped: bool = True) -> str:
+    """Return the call that makes the system at the present spin speed."""
+    options: dict[str, object] = {"tangency": tangency} if tangency else {}
+    maker = "lumped"
+    if state.model != "lumped":
+        maker = "finite_element"
+        options |= {"elements": ELEMENTS, "modes": MODES}
+    elif law == "exact":
+        options["stiffness"] = "exact"
+    if damped:
+        for name in ("external_damping", "internal_damping"):
+            if getattr(state, name):
+                options[name] = getattr(state, name)
+    more = f", {_arguments(**options)}" if options else ""
+    return f"{maker}(rotor, {state.spin_speed!r}{more})"
+
+
+def _rotor(state: State, in_si: bool) -> str:
+    """Return the lines that make the rotor, from SI data where the charts show that shaft."""
+    if in_si:
+        given = "".join(f"    {name}={value!r},\n" for name, value in state.si_data().items())
+        return (
+            f"rotor, scales = ShaftDisk.from_si(  # m, Pa, kg/m³, kg, kg m²\n{given})\n"
+            "hertz = scales.frequency / (2 * np.pi)  # what one unit of frequency is"
+        )
+    rotor = state.rotor()
+    fields = _arguments(
+        shear=rotor.shear,
+        disk_mass=rotor.disk_mass,
+        diametral_inertia=rotor.diametral_inertia,
+        polar_inertia=rotor.polar_inertia,
+        slenderness=rotor.slenderness,
+    )
+    line = f"rotor = ShaftDisk({fields})"
+    if state.units != "SI":
+        return line
+    scales = state.scales()
+    return (
+        "# The sliders do not show the shaft in SI: this stays non-dimensional. With its scales\n"
+        f"# one unit of load is {scales.load:.6g} N, of frequency {scales.frequency:.6g} rad/s,\n"
+        f"# of length {scales.length:.6g} m, of mass {scales.mass:.6g} kg.\n{line}"
+    )
+
+
+def _curves(state: State, result: Result) -> str:
+    """Return the lines of the load–frequency chart."""
+    low, high = result.charts["load-frequency"].x_range
+    systems = "".join(
+        f"    {name!r}: {_system(state, tangency, law)},\n"
+        for name, tangency, law in load_kinds(
+            state.model, state.effective_tangency(), state.stiffness
+        )
+    )
+    return (
+        f"load_axis = np.linspace({low!r}, {high!r}, {LOADS})\n"
+        f"load_systems = {{\n{systems}}}\n"
+        "load_curves = {name: load_frequency_curves(one, load_axis)"
+        " for name, one in load_systems.items()}\n"
+    )
+
+
+def _point(state: State, result: Result) -> str:
+    """Return the lines of the marked point."""
+    found = inspect(state, result)
+    periods = round(float(found.response.time[-1] / found.response.period))
+    seed = f", {round(state.seed)}" if state.initial == "noise" else ""
+    return f"""
+# inside the marked point
+point = (
+    static_load,
+    {state.marker_factor!r} * reference_load,
+    {state.marker_frequency!r} * frequency,
+)
+multipliers = floquet_multipliers(system, *point)
+rate = growth_rate(system, *point)
+start = initial_conditions(system, static_load, {state.initial.replace(" ", ":")!r}{seed})
+response = time_response(system, *point, start, {periods}, {found.samples})
+"""
+
+
+_PRINTS = """
+print("whirl frequencies:", whirl)
+print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
+for tongue in tongues:
+    print(tongue.name, "at θ/ωₙ =", tongue.centre / frequency)
+"""
+_PRINTS_SI = """
+print("whirl frequencies [Hz]:", whirl.real * hertz)
+print("their growth [1/s]:", -whirl.imag * scales.frequency)
+print("buckling load [N]:", critical_load(rotor.shear) * scales.load)
+print("static load [N]:", static_load * scales.load)
+print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
+print("largest growth [1/s]:", np.nanmax(stability.growth) * scales.frequency)
+for tongue in tongues:
+    print(tongue.name, "at", tongue.centre * hertz, "Hz")
+"""
+
+
+def python_snippet(state: State) -> str:
+    """Return a program that reproduces the view's arrays.
+
+    It defines `whirl`, `load_curves`, `bolotin`, `stability`, `campbell`, `critical` and
+    `tongues`; with a marker also `multipliers`, `rate` and `response`; in SI, where the charts
+    show the shaft in SI, also `scales`.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where these inputs have no answer.
+    """
+    result = solve(state, settled=False)  # the map of growth is not needed here
+    in_si = state.units == "SI" and state.shaft_in_use()
+    rows, columns, _ = PIXELS[state.model, True]
+    options = _arguments(**map_options(model_of(state), settled=True))
+    damped = bool(state.external_damping or state.internal_damping)
+    tangency = state.effective_tangency()
+    names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_load", "critical_speeds"}
+    names |= {"fundamental_frequency", "load_frequency_curves", "lumped", "resonances"}
+    names |= {"stability_chart", "whirl_frequencies"}
+    if state.model != "lumped":
+        names.add("finite_element")
+    reference = "float(critical_load(rotor.shear))"
+    if state.reference == "flutter":
+        # up to the pole of the exact stiffness, as on the page
+        pole = float(largest_exact_load(state.shear))
+        reference = f"flutter_load(lumped(rotor, 0.0, tangency=1.0), {pole!r})"
+        names.add("flutter_load")
+        if not in_si:
+            names.discard("critical_load")
+    if state.marker:
+        names |= {"floquet_multipliers", "growth_rate", "initial_conditions", "time_response"}
+    imported = "".join(f"    {name},\n" for name in sorted(names))
+    plain = (
+        f"undamped = {_system(state, tangency, state.law, damped=False)}"
+        "  # Bolotin's method knows no damping\n"
+        if damped
+        else ""
+    )
+    words = "The rotor in SI; what is computed is" if in_si else "It is"
+    linear = "undamped" if damped else "system"
+    last = _PRINTS_SI if in_si else _PRINTS
+    largest = "largest_load"
+    if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
+        largest = f"min({largest}, system.largest_load - static_load)"
+    return f"""\
+# What rotorstab shows, as Python. {words} non-dimensional: L = EI = ρA = 1.
+import numpy as np
+
+from rotorstab import (
+{imported})
+
+{_rotor(state, in_si)}
+system = {_system(state, tangency, state.law)}
+{plain}\
+reference_load = {reference}  # what a load factor of 1 stands for
+static_load = {state.static_load_factor!r} * reference_load
+frequency = fundamental_frequency(lumped(rotor, 0.0))  # ω_n
+
+# whirl frequencies at the static load, over load, and over spin speed
+whirl = whirl_frequencies(system, static_load)
+{_curves(state, result)}\
+campbell = campbell_diagram(system, np.linspace(0.0, {LARGEST_SPEED!r}, {SPEEDS}), static_load)
+critical = critical_speeds(system, static_load)
+
+# Bolotin's boundaries: bolotin.frequency / frequency over bolotin.pulsating_load / reference_load
+largest_load = {state.largest_factor!r} * reference_load
+bolotin = bolotin_chart({linear}, static_load, {largest}, {BOUNDARY_ROWS})
+
+# Floquet's growth rates on the chart's pixels, and the true tongues at a load factor of 0.1
+low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency
+loads = (np.arange({rows}) + 0.5) / {rows} * largest_load
+frequencies = low + (np.arange({columns}) + 0.5) / {columns} * (high - low)
+stability = stability_chart(system, static_load, loads, frequencies, {options})
+tongues = resonances(system, static_load, 0.1 * reference_load).tongues
+{_point(state, result) if state.marker else ""}{last}"""

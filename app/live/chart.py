@@ -1,0 +1,139 @@
+"""A HoloViews chart that is built once and then patched.
+
+Rebuilding HoloViews objects costs some ten times the redraw itself; replacing the columns
+of the Bokeh data sources behind them does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from bokeh.models import HoverTool, Range1d
+
+from rotorstab.charts import Chart, Layer
+from rotorstab.drawing import screen
+
+from .drawing import draw
+from .overlay import overlay
+
+__all__ = ["LiveChart"]
+
+
+def _same(new: Any, old: Any) -> bool:
+    """Whether two columns hold the same values; nested lists of arrays included."""
+    if new is old:
+        return True
+    if isinstance(new, np.ndarray):
+        return isinstance(old, np.ndarray) and np.array_equal(new, old, equal_nan=True)
+    if isinstance(new, list):
+        return isinstance(old, list) and len(new) == len(old) and all(map(_same, new, old))
+    return bool(new == old)
+
+
+def _named(chart: Chart) -> tuple[str, ...]:
+    """Return what tells a chart's units: a thicker shaft may turn N into kN."""
+    return chart.units, chart.x_label, chart.y_label
+
+
+class LiveChart:
+    """One Bokeh figure, drawn by HoloViews, that follows a sequence of charts."""
+
+    def __init__(self, chart: Chart) -> None:
+        drawing = draw(chart)
+        self.figure = drawing.figure
+        self.sources, self.renderers = drawing.sources, drawing.renderers
+        self._colours = drawing.colours
+        self._chart = drawing.chart
+        self._drawn: dict[str, dict[str, Any]] = {}
+        self._added: set[str] = set()
+        self._least_top: float | None = None
+        self._ranges = {
+            "x": (self.figure.x_range, drawing.chart.x_range),
+            "y": (self.figure.y_range, drawing.chart.y_range),
+        }
+        self.show(chart)
+
+    def show(self, chart: Chart) -> None:
+        """Patch the sources that differ, and the ranges unless the user has zoomed."""
+        labels = {layer.label for layer in chart.layers}
+        for label in self._added - labels:
+            self._clear(label)
+        for layer in chart.layers:
+            if layer.label not in self.sources:
+                self._add(layer)
+            columns, drawn = screen.columns(layer), self._drawn.get(layer.label, {})
+            # of 12 curves mostly the ordinates move; whole columns, because a new length moves all
+            moved = {
+                name: column
+                for name, column in columns.items()
+                if name not in drawn or not _same(column, drawn[name])
+            }
+            if moved:
+                self.sources[layer.label].data.update(moved)
+                self._drawn[layer.label] = columns
+                if layer.label in self._colours and layer.label == "growth":
+                    self._rescale(columns["image"][0])
+        if _named(chart) != _named(self._chart):
+            self._rename(self._chart, chart)
+        self._chart = chart
+        for axis, wanted in (("x", chart.x_range), ("y", chart.y_range)):
+            bokeh_range, last = self._ranges[axis]
+            self._move(bokeh_range, last, wanted)
+            self._ranges[axis] = (bokeh_range, wanted)
+
+    def _rename(self, old: Chart, new: Chart) -> None:
+        """Name axes and hovers in other units, and undo a zoom: it was in the old ones."""
+        names = dict(zip(screen.hover_names(old), screen.hover_names(new), strict=True))
+        for axis, label in ((self.figure.xaxis, new.x_label), (self.figure.yaxis, new.y_label)):
+            axis.axis_label = label
+        for tool in self.figure.tools:
+            if isinstance(tool, HoverTool):
+                tool.tooltips = [(names.get(name, name), value) for name, value in tool.tooltips]
+        self.reset_view()
+
+    def _add(self, layer: Layer) -> None:
+        """Draw a layer that the chart did not start with, such as a marker."""
+        self.sources[layer.label], self.renderers[layer.label] = overlay(self.figure, layer)
+        self._added.add(layer.label)
+
+    def _clear(self, label: str) -> None:
+        """Empty a layer that the chart no longer has."""
+        if any(len(column) for column in self._drawn.get(label, {}).values()):
+            self._drawn[label] = {name: [] for name in self._drawn[label]}
+            self.sources[label].data = dict(self._drawn[label])
+
+    def _rescale(self, image: np.ndarray) -> None:
+        """Fit the colours to the largest growth, in steps, so that they rarely move."""
+        # the few pixels of very slow loads would leave no colour for the rest
+        largest = float(np.nanpercentile(image, 98)) if np.isfinite(image).any() else 0.0
+        step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
+        top = float(np.ceil(largest / step) * step) or 1.0
+        if self._least_top is not None:
+            top = self._least_top = max(top, self._least_top)
+        self._colours["growth"].high = top
+
+    def keep_colours(self, keep: bool) -> None:
+        """From now on let the scale of the colours only grow, for maps to be compared; or not."""
+        self._least_top = 0.0 if keep else None
+        if "growth" in self._colours and "growth" in self._drawn:
+            self._rescale(self._drawn["growth"]["image"][0])
+
+    def set_visible(self, shown: Mapping[str, bool]) -> None:
+        """Show or hide layers by label."""
+        for label, visible in shown.items():
+            if label in self.renderers:
+                self.renderers[label].visible = visible
+
+    def reset_view(self) -> None:
+        """Return to the chart's own ranges."""
+        for bokeh_range, wanted in self._ranges.values():
+            bokeh_range.update(start=wanted[0], end=wanted[1])
+
+    @staticmethod
+    def _move(bokeh_range: Range1d, last: tuple[float, float], wanted: tuple[float, float]) -> None:
+        if bokeh_range.reset_start != wanted[0] or bokeh_range.reset_end != wanted[1]:
+            bokeh_range.update(reset_start=wanted[0], reset_end=wanted[1])
+        if last != wanted and (bokeh_range.start, bokeh_range.end) == last:
+            bokeh_range.update(start=wanted[0], end=wanted[1])

@@ -1,0 +1,154 @@
+"""The sidebar component and its protocol: one message in, one answer out.
+
+The browser sends the newest values only after it has painted the answer to the last ones
+(latest wins), so nothing is queued, with one user or many. Every message is answered with its
+number, in the order of the messages: a page that gets no answer knows that nobody hears it.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from time import perf_counter
+from typing import Any, ClassVar
+
+import panel as pn
+import param
+from bokeh.document import Document
+from bokeh.events import Event
+from panel.io.state import set_curdoc
+
+from ..background.telemetry import observe
+from ..background.threads import turn
+from ..state import PRESETS, SI_INPUTS, SYMBOLS, State
+
+__all__ = ["Controls", "field"]
+
+_LOG = logging.getLogger("rotorstab.app")
+_ASSETS = Path(__file__).parents[1] / "assets"
+
+GROUPS = (
+    ("Load", True, ("load_type", "tangency", "static_load_factor", "reference")),
+    ("Rotor", True, ("spin_speed", "shear", "disk_mass", "diametral_inertia", "polar_inertia")),
+    (
+        "Beyond the paper",
+        False,
+        ("external_damping", "internal_damping", "law", "model"),
+    ),
+    (
+        "Charts",
+        False,
+        (
+            "show_growth",
+            "show_bolotin",
+            "show_disagreement",
+            "growth_unit",
+            "largest_factor",
+            "lowest_frequency",
+            "highest_frequency",
+            "stiffness",
+        ),
+    ),
+    ("Units", False, ("units", *SI_INPUTS)),
+)
+WORDS = {
+    "axial": "Axial",
+    "partly": "Partly",
+    "follower": "Follower",
+    "buckling": "Buckling load",
+    "flutter": "Flutter at rest",
+    "linear": "Linear",
+    "exact": "Exact",
+    "both": "Both",
+    "lumped": "Lumped",
+    "finite elements": "Finite elements",
+    "per time": "Per time",
+    "per period": "Per period",
+    "non-dimensional": "Non-dimensional",
+    "SI": "SI",
+    "own": "Own",
+    "steel": "Steel",
+    "aluminium": "Aluminium",
+    "titanium": "Titanium",
+}
+
+
+def field(name: str) -> dict[str, Any]:
+    """Describe one input for the browser, from the state's own declaration."""
+    parameter = State.param[name]
+    found = {
+        "name": name,
+        "label": parameter.label,
+        "symbol": SYMBOLS.get(name, ""),
+        "doc": parameter.doc,
+    }
+    if isinstance(parameter, param.Boolean):
+        return found | {"switch": True}
+    if isinstance(parameter, param.Selector):
+        return found | {"options": [[word, WORDS[word]] for word in parameter.objects]}
+    low, high = parameter.bounds
+    found |= {"low": low, "high": high, "step": parameter.step}
+    # a quantity in SI has a box without a slider: its range spans magnitudes
+    return found | {"unit": SI_INPUTS[name]} if name in SI_INPUTS else found
+
+
+class Controls(pn.custom.JSComponent):
+    """Sliders, number boxes and choices; `respond` answers each message.
+
+    `respond` takes a message (a mapping with a "type") and returns the answer's content.
+    """
+
+    spec = param.List(doc="Groups of fields.")
+    presets = param.List(doc="Names of the presets.")
+
+    _esm = _ASSETS / "controls.js"
+    # as text: a path would be fetched from /components/, which deploy/setup.py shuts
+    _stylesheets: ClassVar[list[str]] = [(_ASSETS / "controls.css").read_text(encoding="utf-8")]
+
+    def __init__(self, respond: Callable[[Mapping[str, Any]], dict[str, Any]]) -> None:
+        self._respond = respond
+        super().__init__(
+            spec=[
+                {"title": title, "open": open_, "fields": [field(name) for name in names]}
+                for title, open_, names in GROUPS
+            ],
+            presets=list(PRESETS),
+            sizing_mode="stretch_width",
+        )
+
+    def _handle_msg(self, data: Any) -> None:
+        """Answer one message; anything that is not one is ignored."""
+        if not isinstance(data, Mapping):
+            return
+        sequence = data.get("seq")
+        number = {"seq": sequence if isinstance(sequence, int) else 0}
+        if data.get("type") == "ping":  # whether anybody is there: nothing is looked at
+            self._send_msg(number)
+            return
+        with turn, pn.io.hold():  # patches and answer leave as one message
+            began = perf_counter()
+            try:
+                answer = self._respond(data)
+            except Exception:
+                _LOG.exception("a message could not be answered")
+                answer = {"told": "the server could not use this message"}
+            self._send_msg(answer | number)
+        observe("update", perf_counter() - began)
+
+    def _server_event(self, doc: Document, event: Event) -> None:
+        """Answer a message at once: whoever brings it holds the document's lock.
+
+        Panel puts off what comes before it has heard that the page is ready. From 1.10 on it then
+        works without that lock, and the page has no answer.
+        """
+        self._comm_event(doc, event)
+
+    def _process_bokeh_event(self, doc: Document, event: Event) -> None:
+        """Do without Panel's busy indicator, which the page lacks: a tenth of a move."""
+        with set_curdoc(doc):
+            self._process_event(event)
+
+    def tell(self, content: Mapping[str, Any]) -> None:
+        """Send the browser something it did not wait for."""
+        self._send_msg(dict(content))

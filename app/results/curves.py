@@ -1,0 +1,133 @@
+"""Curves and numbers of a rotor that the growth map has no part in: cached, shared by sessions."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+
+from rotorstab import (
+    ShaftDisk,
+    System,
+    WhirlCurves,
+    campbell_diagram,
+    critical_load,
+    flutter_load,
+    fundamental_frequency,
+    load_frequency_curves,
+    lumped,
+)
+from rotorstab.maps.window import Model
+from rotorstab.model.stiffness import largest_exact_load
+from rotorstab.whirl.frequencies import mode_names, named_frequencies
+
+from ..state import State
+
+__all__ = [
+    "LARGEST_SPEED",
+    "LOADS",
+    "SPEEDS",
+    "campbell",
+    "flutter",
+    "load_curves",
+    "load_kinds",
+    "reference_load",
+    "rotor_numbers",
+    "whirl_numbers",
+]
+
+LOADS = 400
+SPEEDS = 200
+LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
+
+
+@lru_cache(maxsize=256)
+def rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
+    """Return p̄_cr, ω_n and the follower flutter load, all of the resting rotor."""
+    buckling = float(critical_load(rotor.shear))
+    return buckling, fundamental_frequency(lumped(rotor, 0.0)), flutter(rotor, 0.0)
+
+
+def reference_load(rotor: ShaftDisk, reference: str) -> float:
+    """Return the load [EI/L²] that load factors refer to, "buckling" or "flutter".
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where the rotor has no flutter load.
+    """
+    buckling, _, flutter_at_rest = rotor_numbers(rotor)
+    if reference == "buckling":
+        return buckling
+    if not math.isfinite(flutter_at_rest):
+        pole = float(largest_exact_load(rotor.shear))
+        raise ValueError(
+            f"This rotor has no flutter load below p̄ = {pole:.4g}, where a shaft clamped at both "
+            "ends buckles and this model ends: let the load factors refer to static buckling."
+        )
+    return flutter_at_rest
+
+
+@lru_cache(maxsize=256)
+def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
+    """Return the follower flutter load [EI/L²] at a spin speed, lumped and linear.
+
+    It is inf where there is none below the pole of the exact stiffness: there the shaft itself
+    buckles, which the linear law does not know.
+    """
+    return flutter_load(lumped(rotor, spin_speed, 1.0), float(largest_exact_load(rotor.shear)))
+
+
+def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
+    """Return the load axis: from tension to past buckling and flutter, where they are near."""
+    buckling = rotor_numbers(rotor)[0]
+    pole = float(largest_exact_load(rotor.shear))
+    at = flutter(rotor, spin_speed)
+    far = max(1.6 * buckling, 1.2 * at if at < 0.8 * pole else 0.0)
+    step = 0.5
+    low = -step * np.ceil(buckling / step)
+    return np.linspace(low, min(step * np.ceil(far / step), 0.9 * pole), LOADS)
+
+
+def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:
+    """Return name, tangency and stiffness law of each set of load–frequency curves."""
+    shares = {"axial": 0.0, "follower": 1.0}
+    if tangency not in shares.values():
+        shares["partly"] = tangency
+    laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
+    if kind != "lumped":
+        laws = ("linear",)  # the distributed shaft has no other
+    return [
+        (name + (" exact" if law == "exact" else ""), share, law)
+        for law in laws
+        for name, share in shares.items()
+    ]
+
+
+@lru_cache(maxsize=128)
+def load_curves(
+    model: Model, spin_speed: float, tangency: float, stiffness: str
+) -> dict[str, WhirlCurves]:
+    """Return whirl over steady load by the names of `load_kinds`."""
+    loads = _loads(model.rotor, spin_speed)
+    return {
+        name: load_frequency_curves(model.system(spin_speed, share, law), loads)
+        for name, share, law in load_kinds(model.kind, tangency, stiffness)
+    }
+
+
+@lru_cache(maxsize=128)
+def campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
+    """Return whirl over spin speed at a steady load [EI/L²]."""
+    speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
+    return campbell_diagram(model.system(0.0, tangency), speeds, load)
+
+
+def whirl_numbers(system: System, load: float) -> dict[str, list[float]]:
+    """Return the whirl frequencies by name, as [real, imaginary]."""
+    found = named_frequencies(system, load)
+    return {
+        name: [float(value.real), float(value.imag)]
+        for name, value in zip(mode_names(system.size), found, strict=True)
+    }

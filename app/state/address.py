@@ -1,0 +1,246 @@
+"""The address: the state and its pins as a short query, and back with all doubt named.
+
+A pin is its name and what differs from the present state: `p1=spin_1.5~as_0.2~~slow`.
+Nothing that stands in an address is trusted. What is missing keeps its default; what is
+unknown, repeated, too long, not a number or out of range is named and left out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import urlencode
+
+import param
+
+from rotorstab.rotors.materials import material_named
+
+from ..reading.numbers import TwoReadings, read_number
+from .state import State
+
+__all__ = [
+    "MOST_PINS",
+    "PINNED",
+    "VERSION",
+    "PinnedInputs",
+    "describe_problems",
+    "from_arguments",
+    "pin_name",
+    "pins_from_arguments",
+    "to_query",
+]
+
+VERSION = 1
+_KEYS = {
+    "load_type": "load",
+    "tangency": "mu",
+    "static_load_factor": "as",
+    "spin_speed": "spin",
+    "shear": "phi",
+    "disk_mass": "md",
+    "diametral_inertia": "id",
+    "polar_inertia": "ip",
+    "reference": "ref",
+    "largest_factor": "bmax",
+    "lowest_frequency": "fmin",
+    "highest_frequency": "fmax",
+    "stiffness": "stiff",
+    "external_damping": "ze",
+    "internal_damping": "zi",
+    "law": "law",
+    "model": "model",
+    "show_growth": "growth",
+    "show_bolotin": "bolotin",
+    "show_disagreement": "differ",
+    "growth_unit": "unit",
+    "marker": "at",
+    "marker_frequency": "f",
+    "marker_factor": "b",
+    "initial": "ic",
+    "seed": "seed",
+    "periods": "n",
+    "units": "u",
+    "shaft_length": "len",
+    "shaft_diameter": "dia",
+    "material": "mat",
+    "youngs_modulus": "e",
+    "shear_modulus": "g",
+    "density": "rho",
+    "shear_coefficient": "kappa",
+    "si_disk_mass": "simd",
+    "si_diametral_inertia": "siid",
+    "si_polar_inertia": "siip",
+}
+_NAMES = {key: name for name, key in _KEYS.items()}
+# keys that other programs add to links; they mean nothing here and are no mistake of the user
+_TRACKING = re.compile(
+    "(utm|mtm|pk|piwik|matomo|hsa|_hs|mc|ga|at|fb)_.*|_hsenc|_hsmi|_ga|_gl|fbclid|gclid|dclid|gclsrc"
+    "|gbraid|wbraid|msclkid|twclid|ttclid|yclid|ysclid|irclickid|sccid|rdt_cid|li_fat_id|igshid|igsh"
+    "|mkt_tok|vero_id|oly_anon_id|oly_enc_id|wickedid|s_cid|srsltid|epik|ref_src|ref_url|trk",
+    re.IGNORECASE,
+)
+_LONGEST = 40  # characters of one value; the longest honest one has 18
+_MOST_NAMED = 8
+MOST_PINS = 3
+_PIN_KEYS = {f"p{number}": number for number in range(1, MOST_PINS + 1)}
+_LONGEST_PIN = 1000  # every input moved, with a name
+_LONGEST_NAME = 24
+_NOT_PINNED = ("show_", "growth_unit", "marker", "initial", "seed", "periods", "units")
+PINNED = tuple(name for name in _KEYS if not name.startswith(_NOT_PINNED))
+"""The inputs that a pin keeps: those that move its curves and numbers."""
+
+
+@dataclass(frozen=True)
+class PinnedInputs:
+    """A setting that is kept.
+
+    Parameters
+    ----------
+    name : str
+    number : int
+        1 to `MOST_PINS`: its look.
+    inputs : mapping
+        The inputs of `PINNED`.
+    """
+
+    name: str
+    number: int
+    inputs: Mapping[str, Any]
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, bool):
+        return "1" if value else "0"
+    return f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+def to_query(inputs: Mapping[str, Any], pins: Sequence[PinnedInputs] = ()) -> str:
+    """Return every input and pin as a query without its question mark, version first."""
+    texts = {name: _text(inputs[name]) for name in _KEYS}
+    pairs = [("v", str(VERSION)), *((key, texts[name]) for name, key in _KEYS.items())]
+    for one in pins:
+        others = {name: _text(one.inputs[name]) for name in PINNED}
+        moved = [f"{_KEYS[name]}_{text}" for name, text in others.items() if text != texts[name]]
+        pairs.append((f"p{one.number}", f"{'~'.join(moved)}~~{one.name}"))
+    return urlencode(pairs)
+
+
+def _value(name: str, text: str) -> Any:
+    """Return what a text means for an input; the text itself where it means nothing.
+
+    Raises
+    ------
+    ValueError
+        If it is a number with two readings.
+    """
+    parameter = State.param[name]
+    if isinstance(parameter, param.Boolean):
+        return {"0": False, "1": True}.get(text, text)
+    if isinstance(parameter, param.Number):
+        try:
+            return read_number(text)
+        except TwoReadings:
+            raise
+        except ValueError:
+            return text
+    if name == "material":
+        return material_named(text) or text.casefold()
+    choices = {choice.casefold(): choice for choice in parameter.objects}
+    return choices.get(text.casefold(), text)
+
+
+def _is_tracking(key: str) -> bool:
+    """Whether a key was added by a mail program, a search engine or a social network."""
+    return _TRACKING.fullmatch(key[:_LONGEST]) is not None
+
+
+def _decoded(given: Sequence[bytes | str]) -> list[str]:
+    return [one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in given]
+
+
+def from_arguments(
+    arguments: Mapping[str, Sequence[bytes | str]],
+) -> tuple[dict[str, Any], list[str]]:
+    """Return the values of an address by input name, and the keys that were not understood.
+
+    Pins are left to `pins_from_arguments`; ranges are not checked here: `State.change` does that.
+    """
+    values: dict[str, Any] = {}
+    doubtful: list[str] = []
+    for key, given in arguments.items():
+        texts = _decoded(given)
+        if key in _PIN_KEYS or _is_tracking(str(key)):
+            continue
+        if key == "v":
+            if texts != [str(VERSION)]:
+                doubtful.append("v")
+        elif key not in _NAMES or len(texts) != 1 or len(texts[0]) > _LONGEST:
+            doubtful.append(str(key)[:20])
+        else:
+            try:
+                values[_NAMES[key]] = _value(_NAMES[key], texts[0])
+            except ValueError as error:
+                doubtful.append(f"{key} ({error})")
+    return values, doubtful
+
+
+def pins_from_arguments(
+    arguments: Mapping[str, Sequence[bytes | str]], inputs: Mapping[str, Any]
+) -> tuple[list[PinnedInputs], list[str]]:
+    """Return the pins of an address whose present state is `inputs`, and what is wrong with others.
+
+    A pin is taken whole or not at all.
+    """
+    pins: list[PinnedInputs] = []
+    doubtful: list[str] = []
+    for key, number in _PIN_KEYS.items():
+        texts = _decoded(arguments.get(key, ()))
+        if not texts:
+            continue
+        try:
+            pins.append(_pin(number, texts, inputs))
+        except ValueError as error:
+            doubtful.append(f"{key} ({error})")
+    return pins, doubtful
+
+
+def _pin(number: int, texts: Sequence[str], inputs: Mapping[str, Any]) -> PinnedInputs:
+    if len(texts) != 1:
+        raise ValueError("given more than once")
+    if len(texts[0]) > _LONGEST_PIN:
+        raise ValueError("too long")
+    moved, mark, name = texts[0].partition("~~")
+    if not mark:
+        raise ValueError("not a pin")
+    values = dict(inputs)
+    for part in moved.split("~") if moved else ():
+        key, _, text = part.partition("_")
+        name_of = _NAMES.get(key)
+        if name_of not in PINNED:
+            raise ValueError(f"no input {key[:20]!r}")
+        if not text or len(text) > _LONGEST:
+            raise ValueError(f"no value of {key}")
+        values[name_of] = _value(name_of, text)
+    state = State()
+    for problem_of, problem in state.change(values).items():
+        raise ValueError(f"{_KEYS.get(problem_of, problem_of)} {problem}")
+    kept = state.inputs()
+    return PinnedInputs(pin_name(name, number), number, {one: kept[one] for one in PINNED})
+
+
+def pin_name(words: Any, number: int) -> str:
+    """Return a short printable name, or the one of a pin's place."""
+    given = words[: 4 * _LONGEST_NAME] if isinstance(words, str) else ""
+    name = "".join(letter for letter in " ".join(given.split()) if letter.isprintable())
+    return name[:_LONGEST_NAME].strip() or f"Pin {chr(ord('A') + number - 1)}"
+
+
+def describe_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:
+    """Return one sentence that names what an address held in vain, or nothing."""
+    named = [*doubtful, *(f"{_KEYS.get(name, name)} ({why})" for name, why in refused.items())]
+    if not named:
+        return ""
+    more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
+    return f"Ignored in the address: {', '.join(named[:_MOST_NAMED])}{more}."

@@ -1,0 +1,1 @@
+"""Results as sentences and as numbers with units, for the page."""

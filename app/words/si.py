@@ -1,0 +1,145 @@
+"""What the page shows in SI: charts, key numbers, and what each slider's value means."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from rotorstab import Scales
+from rotorstab.charts import LOAD_UNITS, Chart, chart_factors, in_si, load_unit, written
+
+from ..state import SI_INPUTS, SYMBOLS, State
+
+__all__ = [
+    "chart_in_si",
+    "displayed",
+    "key_numbers",
+    "load_in",
+    "load_words",
+    "named_inputs",
+    "quantities_in_si",
+    "shaft_words",
+    "shown_scales",
+    "si_answer",
+]
+
+
+def chart_in_si(
+    chart: Chart, scales: Scales, numbers: Mapping[str, Any], unit: str | None = None
+) -> Chart:
+    """Return a chart in SI; the key numbers are those of the rotor it shows."""
+    return in_si(chart, scales, numbers["fundamental"], numbers["reference"], unit)
+
+
+def shown_scales(state: State) -> Scales | None:
+    """Return the scales of the units the user chose, or None for the paper's numbers."""
+    return state.scales() if state.units == "SI" else None
+
+
+def displayed(
+    charts: Mapping[str, Chart], state: State, numbers: Mapping[str, Any]
+) -> dict[str, Chart]:
+    """Return the charts in the units the user chose."""
+    scales = shown_scales(state)
+    if scales is None:
+        return dict(charts)
+    return {key: chart_in_si(chart, scales, numbers) for key, chart in charts.items()}
+
+
+def load_in(scales: Scales, unit: str | None = None) -> tuple[float, str]:
+    """Return what one EI/L² is in a unit of load, the shaft's own by default, and its name."""
+    unit = unit or load_unit(scales)
+    return scales.load / LOAD_UNITS[unit], unit
+
+
+def load_words(load: float, scales: Scales) -> str:
+    """Return a load p̄ with its unit, such as 4596 N or 1.532 MN."""
+    factor, unit = load_in(scales)
+    return f"{written(load * factor)} {unit}"
+
+
+def quantities_in_si(scales: Scales) -> dict[str, tuple[float, str]]:
+    """Return what one unit of a rotor's inputs is in SI, and the unit."""
+    inertia = scales.mass * scales.length**2
+    return {
+        "spin_speed": (scales.frequency * 60 / (2 * math.pi), "rpm"),
+        "disk_mass": (scales.mass, "kg"),
+        "diametral_inertia": (inertia, "kg m²"),
+        "polar_inertia": (inertia, "kg m²"),
+    }
+
+
+def key_numbers(
+    scales: Scales, numbers: Mapping[str, Any], unit: str | None = None
+) -> dict[str, Any]:
+    """Return the key numbers in SI: loads, frequencies [Hz], growth of a whirl [1/s].
+
+    Loads are in `unit`, by default the one that suits the shaft. `whirl` holds [Hz, 1/s] by
+    mode, everything else one number or None.
+    """
+    hertz = scales.frequency / (2 * math.pi)
+    force = load_in(scales, unit)[0]
+    loads = {
+        name: None if numbers[name] is None else numbers[name] * force
+        for name in ("buckling", "flutter", "static_load", "reference")
+    }
+    whirl = {
+        name: [real * hertz, imaginary * scales.frequency]
+        for name, (real, imaginary) in numbers["whirl"].items()
+    }
+    return {**loads, "fundamental": numbers["fundamental"] * hertz, "whirl": whirl}
+
+
+def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+    """Return what the browser shows in SI: key numbers, hints beside sliders, chart factors."""
+    scales = state.scales()
+    fundamental = numbers["fundamental"] * scales.frequency / (2 * math.pi)
+    hints = {
+        name: f"{written(getattr(state, name) * factor)} {unit}"
+        for name, (factor, unit) in quantities_in_si(scales).items()
+    }
+    for name in ("static_load_factor", "largest_factor", "marker_factor"):
+        hints[name] = load_words(getattr(state, name) * numbers["reference"], scales)
+    for name in ("lowest_frequency", "highest_frequency", "marker_frequency"):
+        hints[name] = f"{written(getattr(state, name) * fundamental)} Hz"
+    factors = {
+        key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
+        for key in keys
+    }
+    return {
+        "numbers": key_numbers(scales, numbers),
+        "load_unit": load_unit(scales),
+        "hints": hints,
+        "factors": factors,
+    }
+
+
+def shaft_words(state: State) -> dict[str, Any]:
+    """Return what the SI data make of Φ, M̄_D, Ī_D and Ī_P, and whether the charts show it."""
+    try:
+        rotor, _ = state.si_rotor()
+    except ValueError as error:
+        return {"words": str(error), "in_use": False, "good": False}
+    given = [
+        f"{SYMBOLS[name]} = {written(getattr(rotor, name), 5)}"
+        for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
+    ]
+    in_use = state.shaft_in_use()
+    words = ", ".join(given)
+    return {
+        "words": f"{words}: {'what the charts show.' if in_use else 'not what the sliders say.'}",
+        "in_use": in_use,
+        "good": True,
+    }
+
+
+def named_inputs(inputs: Mapping[str, Any]) -> dict[str, Any]:
+    """Return inputs for a table: those of the shaft in SI only where they count, with units."""
+    found: dict[str, Any] = {}
+    for name, value in inputs.items():
+        if name not in SI_INPUTS:
+            found[name] = value
+        elif inputs["units"] == "SI":
+            found[f"{name} [{SI_INPUTS[name]}]" if SI_INPUTS[name] else name] = value
+    return found

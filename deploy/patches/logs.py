@@ -1,0 +1,117 @@
+"""Log lines: bounded, and one JSON object a line where no person is watching."""
+
+import functools
+import json
+import logging
+import sys
+import time
+
+from tornado.httpserver import _HTTPRequestContext
+from tornado.httputil import HTTPServerRequest
+from tornado.web import Application, RequestHandler
+
+from ..settings import Settings
+from .patching import replace
+
+LONGEST_LINE = 2000
+SHOWN_OF_ID = 8
+
+log_request = Application.log_request
+
+
+def shorten(text: str) -> str:
+    """Return the text with its middle cut out where it is longer than a log line may be."""
+    if len(text) <= LONGEST_LINE:
+        return text
+    half = LONGEST_LINE // 2
+    return f"{text[:half]} ... {len(text) - 2 * half} characters cut ... {text[-half:]}"
+
+
+def current_session() -> str:
+    """Return the first characters of the session that is being served, or nothing."""
+    try:
+        state = sys.modules["panel.io.state"].state
+        return str(state.curdoc.session_context.id)[:SHOWN_OF_ID]
+    except Exception:  # there is none; a log line never fails
+        return ""
+
+
+class ShortRecord(logging.LogRecord):
+    """A log record of bounded length that knows its session."""
+
+    def __init__(self, *args, **kwargs):
+        super().__init__(*args, **kwargs)
+        self.session = current_session()
+        if self.exc_info and self.exc_info[0] is not None:
+            self.exc_text = shorten(logging.Formatter().formatException(self.exc_info))
+
+    def getMessage(self):
+        return shorten(super().getMessage())
+
+
+class JsonFormatter(logging.Formatter):
+    """One JSON object a line: time [UTC], level, logger, message, session, traceback."""
+
+    converter = time.gmtime
+
+    def format(self, record):
+        line = {
+            "time": self.formatTime(record, "%Y-%m-%dT%H:%M:%S") + f".{int(record.msecs):03}Z",
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": record.getMessage(),
+        }
+        if record.session:
+            line["session"] = record.session
+        if record.exc_info or record.exc_text:
+            line["traceback"] = record.exc_text or self.formatException(record.exc_info)
+        return json.dumps(line)
+
+
+def summary(handler: RequestHandler) -> str:
+    """Return what Tornado logs of a request: no query, which is the student's own, no address."""
+    return f"{handler.request.method} {handler.request.path}"
+
+
+def shown_request(request: HTTPServerRequest) -> str:
+    """Return the same where Tornado logs a request whose handler raised."""
+    return f"HTTPServerRequest({request.method} {request.path})"
+
+
+@functools.wraps(log_request)
+def log_request_by_kind(self, handler):
+    """Log a request; one that is refused for want of a place is no error of the server."""
+    if handler.get_status() == 503:
+        logging.getLogger("tornado.access").info("503 %s", handler._request_summary())
+    else:
+        log_request(self, handler)
+
+
+def install(settings: Settings):
+    """Send every log record of this process to standard error in one form."""
+    logging.setLogRecordFactory(ShortRecord)
+    replace(RequestHandler, "_request_summary", summary)
+    replace(HTTPServerRequest, "__repr__", shown_request)
+    replace(_HTTPRequestContext, "__str__", lambda context: "a client")
+    replace(Application, "log_request", log_request_by_kind)
+    plain = settings.log_format == "text" or (settings.log_format == "auto" and sys.stderr.isatty())
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(
+        logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
+        if plain
+        else JsonFormatter()
+    )
+    root = logging.getLogger()
+    root.handlers = [handler]
+    root.setLevel(settings.log_level.upper())
+    # Bokeh and Panel bring handlers and levels of their own.
+    for name in ("bokeh", "panel", "tornado"):
+        logger = logging.getLogger(name)
+        logger.handlers.clear()
+        logger.propagate = True
+        logger.setLevel(logging.NOTSET)
+    # A line a request, a socket, a session: only where asked for.
+    if settings.log_level != "debug":
+        for name in ("tornado.access", "bokeh", "panel"):
+            logging.getLogger(name).setLevel(logging.WARNING)
+    logging.captureWarnings(True)

@@ -1,0 +1,101 @@
+"""What Prometheus may read of a worker: sessions, sockets, updates, errors, caches, memory."""
+
+import ipaddress
+import logging
+
+from bokeh.server.contexts import ApplicationContext
+from prometheus_client import (
+    CONTENT_TYPE_LATEST,
+    REGISTRY,
+    Counter,
+    Gauge,
+    Histogram,
+    generate_latest,
+)
+from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily
+from tornado.web import HTTPError, RequestHandler
+
+from app.background import telemetry
+
+from .. import dashboard
+from ..settings import Settings
+from . import health, sessions
+from .patching import replace
+
+BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)
+
+UPDATES = Histogram(
+    "rotorstab_update_seconds", "From a page's message to its answer.", buckets=BUCKETS
+)
+ERRORS = Counter("rotorstab_errors", "Log records of level error or above.", ["logger"])
+OPENINGS = Histogram("rotorstab_session_open_seconds", "To build a session.", buckets=BUCKETS)
+SESSIONS = Gauge("rotorstab_sessions", "Sessions that are held or being built.")
+readers = "loopback"
+
+
+class CountErrors(logging.Handler):
+    """Counts log records by the first two words of their logger."""
+
+    def emit(self, record):
+        ERRORS.labels(".".join(record.name.split(".")[:2])).inc()
+
+
+class Collector:
+    """What is counted elsewhere: the caches that all sessions share, and refusals."""
+
+    def collect(self):
+        refused = CounterMetricFamily("rotorstab_refused", "Pages and sockets answered 503.")
+        refused.add_metric([], sessions.refused)
+        hits = CounterMetricFamily("rotorstab_cache_hits", "Found in a cache.", labels=["cache"])
+        misses = CounterMetricFamily("rotorstab_cache_misses", "Computed.", labels=["cache"])
+        held = GaugeMetricFamily("rotorstab_cache_entries", "Held in a cache.", labels=["cache"])
+        for name, info in dashboard.caches():
+            hits.add_metric([name], info.hits)
+            misses.add_metric([name], info.misses)
+            held.add_metric([name], info.currsize)
+        return refused, hits, misses, held
+
+
+class MetricsHandler(RequestHandler):
+    """The text format of Prometheus; 404 for whom it is not meant."""
+
+    async def get(self):
+        near = ipaddress.ip_address(self.request.remote_ip).is_loopback
+        # what comes through a proxy comes from its user
+        forwarded = any(name.startswith("X-Forwarded") for name in self.request.headers)
+        if readers != "on" and (readers == "off" or forwarded or not near):
+            raise HTTPError(404)
+        self.set_header("Cache-Control", "no-store")
+        self.set_header("Content-Type", CONTENT_TYPE_LATEST)
+        SESSIONS.set(sessions.documents(self.application))
+        self.write(generate_latest())
+
+
+def _observe(name, value):
+    if name == "update":
+        UPDATES.observe(value)
+
+
+def install(settings: Settings):
+    """Measure this process's server."""
+    global readers
+    readers = settings.metrics
+    if readers == "off":
+        return
+    logging.getLogger().addHandler(CountErrors(logging.ERROR))
+    REGISTRY.register(Collector())
+    Gauge("rotorstab_sockets", "Open sockets.").set_function(lambda: len(sessions.open_sockets))
+    Gauge("rotorstab_loop_lag_seconds", "How late the loop was last.").set_function(
+        lambda: health.watchdog.lag
+    )
+    Gauge("rotorstab_places", "Sessions allowed at a time.").set(settings.max_sessions)
+    create = ApplicationContext.create_session_if_needed
+
+    async def timed(self, session_id, *args, **kwargs):
+        if session_id in self._sessions or session_id in self._pending_sessions:
+            return await create(self, session_id, *args, **kwargs)
+        with OPENINGS.time():
+            return await create(self, session_id, *args, **kwargs)
+
+    replace(ApplicationContext, "create_session_if_needed", timed)
+    telemetry.observers.append(_observe)

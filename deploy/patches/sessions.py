@@ -1,0 +1,223 @@
+"""Sessions and sockets: counted, and refused before anything is built for them.
+
+A place is held by a session that has a socket. A page whose socket has not come yet, or has gone,
+holds none; it is kept for a while, and the oldest of these gives way where there are too many. Its
+browser loses nothing: the session is built again from the token when the socket comes.
+"""
+
+import asyncio
+import functools
+import threading
+
+from bokeh.server.contexts import ApplicationContext
+from bokeh.server.session import ServerSession
+from bokeh.server.views.session_handler import SessionHandler
+from bokeh.settings import settings as bokeh_settings
+from bokeh.util.token import check_token_signature, get_session_id
+from panel.io.server import DocHandler, WSHandler
+from tornado.web import HTTPError
+
+from ..settings import Settings
+from .faults import contain
+from .patching import replace
+
+open_sockets = set()
+draining = threading.Event()
+"""Set when the server ends: nobody new is served."""
+most_sessions = 60
+refused = 0
+CONNECTING = 15_000  # ms that a page is kept whose socket has never come
+building = asyncio.Lock()
+"""Held while a page is built: one at a time, so that messages are answered between two pages."""
+BETWEEN = 0.02  # s left to messages before a page is built; one comes in three fragments
+
+
+def refuse():
+    """Answer 503: the class is full, or the server is about to end."""
+    global refused
+    refused += 1
+    raise HTTPError(503)
+
+
+page_session = DocHandler.get_session
+create_session_if_needed = ApplicationContext.create_session_if_needed
+cleanup_sessions = ApplicationContext._cleanup_sessions
+subscribe = ServerSession.subscribe
+session_prepare = SessionHandler.prepare
+socket_prepare = WSHandler.prepare
+socket_connection_close = WSHandler.on_connection_close
+socket_finish = WSHandler.on_finish
+
+
+def documents(application):
+    """Number of documents that the server holds or is building."""
+    return sum(
+        len(context._sessions) + len(context._pending_sessions)
+        for context in application.applications.values()
+    )
+
+
+def places_taken(application):
+    """Number of sessions that have a socket."""
+    return sum(
+        session.connection_count > 0
+        for context in application.applications.values()
+        for session in context._sessions.values()
+    )
+
+
+def without_socket(context):
+    """Sessions of one app that nobody is connected to, the longest alone first."""
+    alone = [one for one in context._sessions.values() if one.connection_count == 0]
+    return sorted(alone, key=lambda one: -one.milliseconds_since_last_unsubscribe)
+
+
+async def discard(context, session):
+    """Discard a session unless somebody connects to it or a message of it is being answered."""
+    if session.connection_count == 0 and not session.expiration_blocked:
+        await context._discard_session(session, lambda one: one.connection_count == 0)
+
+
+async def make_room(context):
+    """Discard the oldest sessions without a socket, so that one more of them may be built."""
+    alone = without_socket(context)
+    for session in alone[: max(0, len(alone) + 1 - most_sessions)]:
+        await discard(context, session)
+
+
+@functools.wraps(subscribe)
+def subscribe_and_note(self, connection):
+    """Connect a session, which is kept for longer from then on if the connection is lost."""
+    self.was_connected = True
+    subscribe(self, connection)
+
+
+@functools.wraps(cleanup_sessions)
+async def cleanup(self, linger):
+    """Discard sessions that were left, and earlier those that nobody ever connected to."""
+    await cleanup_sessions(self, linger)
+    for session in without_socket(self):
+        late = session.milliseconds_since_last_unsubscribe > CONNECTING
+        if late and not hasattr(session, "was_connected"):
+            await discard(self, session)
+
+
+def known_session(handler, token):
+    """Whether the token's session exists; 403 where the token is not one of this server's."""
+    server = handler.application
+    try:
+        genuine = check_token_signature(
+            token, signed=server.sign_sessions, secret_key=server.secret_key
+        )
+        session_id = get_session_id(token)
+    except Exception:  # garbage raises anything: base64, JSON, Unicode, a missing key
+        genuine = False
+    if not genuine:
+        raise HTTPError(403, reason="Invalid token")
+    return session_id in handler.application_context._sessions
+
+
+@functools.wraps(page_session)
+async def session_or_error(self):
+    """The page's session; 500, not an empty page, where the app's file raised."""
+    session = await page_session(self)
+    if any(handler.failed for handler in self.application_context.application.handlers):
+        raise HTTPError(500)
+    return session
+
+
+def is_gone(request):
+    """Whether the browser that sent a request has closed its connection; a socket's is its own."""
+    stream = getattr(getattr(request, "connection", None), "stream", None)
+    return stream is not None and stream.closed()
+
+
+@functools.wraps(create_session_if_needed)
+async def create_session(self, session_id, request=None, token=None):
+    """Bokeh's creation of a session, in turn, less the place it keeps for ever after a failure."""
+    if session_id in self._sessions:
+        return await create_session_if_needed(self, session_id, request, token)
+    async with building:
+        await asyncio.sleep(BETWEEN)
+        if is_gone(request):
+            raise HTTPError(400, "nobody waits for this page any more")
+        try:
+            return await contain(create_session_if_needed(self, session_id, request, token))
+        except BaseException:
+            # from Bokeh 3.10 on it is a task, which frees its place by itself and which others may
+            # wait for
+            if not isinstance(self._pending_sessions.get(session_id), asyncio.Task):
+                pending = self._pending_sessions.pop(session_id, None)
+                if pending is not None:
+                    pending.cancel()
+            raise
+
+
+@functools.wraps(session_prepare)
+async def prepare_page(self):
+    """Refuse a page where all places are taken."""
+    # Bokeh's own arguments let a link choose the session or, through bokeh-absolute-url, the host
+    # that the page's scripts come from. No page of ours uses one.
+    self.request.headers.pop("Bokeh-Session-Id", None)
+    for arguments in (self.request.arguments, self.request.query_arguments):
+        for name in [name for name in arguments if name.startswith("bokeh-")]:
+            del arguments[name]
+    await session_prepare(self)
+    if self.request.method == "HEAD":
+        return
+    if draining.is_set() or places_taken(self.application) >= most_sessions:
+        refuse()
+    await make_room(self.application_context)
+
+
+@functools.wraps(socket_prepare)
+async def prepare_socket(self):
+    """Refuse a socket from another site, with a false token, or where all places are taken."""
+    await socket_prepare(self)
+    if self._finished:
+        return
+    # Tornado lets Origin pass where it equals Host, before Bokeh's list is asked, and lets a
+    # missing one pass: a name that an attacker points at this server would get in.
+    origins = self.request.headers.get_list("Origin")
+    if len(origins) != 1 or not self.check_origin(origins[0]):
+        raise HTTPError(403, reason="Origin not allowed")
+    protocols = self.request.headers.get("Sec-WebSocket-Protocol", "").split(",")
+    if len(protocols) != 2:
+        raise HTTPError(403, reason="No token")
+    known = known_session(self, protocols[1].strip())
+    if draining.is_set() or len(open_sockets) >= most_sessions:
+        refuse()
+    if not known:
+        await make_room(self.application_context)
+    open_sockets.add(self)
+
+
+@functools.wraps(socket_connection_close)
+def socket_gone(self):
+    """Free the place of a socket whose connection was lost."""
+    open_sockets.discard(self)
+    socket_connection_close(self)
+
+
+@functools.wraps(socket_finish)
+def socket_refused(self):
+    """Free the place of a socket whose handshake failed; a good one finishes with 101."""
+    if self.get_status() != 101:
+        open_sockets.discard(self)
+    socket_finish(self)
+
+
+def install(settings: Settings):
+    """Count and limit the sessions and sockets of this process's server."""
+    global most_sessions
+    most_sessions = settings.max_sessions
+    replace(DocHandler, "get_session", session_or_error)
+    # of a document's references, with every page that opens; the tests look at the page itself
+    replace(bokeh_settings, "perform_document_validation", False)
+    replace(ApplicationContext, "create_session_if_needed", create_session)
+    replace(ServerSession, "subscribe", subscribe_and_note)
+    replace(ApplicationContext, "_cleanup_sessions", cleanup)
+    replace(DocHandler, "prepare", prepare_page)
+    replace(WSHandler, "prepare", prepare_socket)
+    replace(WSHandler, "on_connection_close", socket_gone)
+    replace(WSHandler, "on_finish", socket_refused)

@@ -1,6 +1,0 @@
-"""Addresses beside the dashboard's own, for `panel serve --plugins deploy.server.routes`."""
-
-from .health import HealthHandler
-from .metrics import MetricsHandler
-
-ROUTES = [("/health", HealthHandler), ("/metrics", MetricsHandler)]

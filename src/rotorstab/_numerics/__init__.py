@@ -1,0 +1,1 @@
+"""Mathematics that knows no rotor: roots of many quartics at once."""

@@ -1,0 +1,144 @@
+"""Charts of one point of the instability chart, and its marks on the other charts."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..floquet.response import TimeResponse
+from .structure import Chart, Layer, Lines, mark_columns
+
+__all__ = [
+    "marker_layer",
+    "multiplier_chart",
+    "orbit_chart",
+    "pair_layers",
+    "response_chart",
+]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+_NICE = np.array([1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 10.0])
+_OUTSIDE = 1e-6  # |μ| − 1 above which a multiplier is drawn as growing
+_CIRCLE = np.linspace(0, 2 * np.pi, 181)
+
+
+def _nice(largest: float) -> float:
+    """Return a round number at or above `largest`, so that a range rarely moves."""
+    if not 0 < largest < np.inf:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(largest))
+    return float(power * _NICE[np.searchsorted(_NICE, largest / power * (1 - 1e-12))])
+
+
+def multiplier_chart(multipliers: Complex) -> Chart:
+    """Return the Floquet multipliers in the complex plane, with the unit circle and −1.
+
+    Parameters
+    ----------
+    multipliers : (2n,) complex
+    """
+    shown = multipliers[np.isfinite(multipliers)]
+    reach = _nice(max(1.3, 1.12 * float(np.abs(shown).max(initial=0.0))))
+    lines = Lines()
+    lines.add(np.cos(_CIRCLE), np.sin(_CIRCLE), "unit circle, |μ| = 1", "unit circle")
+    rows = [
+        (one.real, one.imag, f"μ = {one:.4f}, |μ| = {abs(one):.6f}".replace("j", "j"))
+        for one in shown
+    ]
+    out = [row for row, one in zip(rows, shown, strict=True) if abs(one) > 1 + _OUTSIDE]
+    within = [row for row, one in zip(rows, shown, strict=True) if abs(one) <= 1 + _OUTSIDE]
+    return Chart(
+        key="multipliers",
+        title="Floquet multipliers",
+        x_label="real part Re(μ)",
+        y_label="imaginary part Im(μ)",
+        x_range=(-reach, reach),
+        y_range=(-reach, reach),
+        layers=(
+            Layer("lines", "circle", lines.columns),
+            Layer("points", "minus one", mark_columns([(-1.0, 0.0, "−1: Bolotin watches here")])),
+            Layer("points", "multipliers", mark_columns(within)),
+            Layer("points", "growing multipliers", mark_columns(out)),
+        ),
+        square=True,
+    )
+
+
+def response_chart(motion: TimeResponse) -> Chart:
+    """Return the tip's V and W over time in periods of the load, with the envelope e^(σt)."""
+    periods = motion.time / motion.period
+    envelope = motion.envelope
+    lines = Lines()
+    thin = slice(None, None, max(1, len(periods) // 200))
+    for sign, word in ((1, "upper"), (-1, "lower")):
+        lines.add(periods[thin], sign * envelope[thin], f"envelope e^σt, {word}", "envelope")
+    lines.add(periods, motion.displacement.imag, "W of the tip", "tip W")
+    lines.add(periods, motion.displacement.real, "V of the tip", "tip V")
+    reach = _nice(1.04 * float(envelope.max()))
+    return Chart(
+        key="response",
+        title="Response of the tip",
+        x_label="time in periods of the load t/T",
+        y_label="tip displacement V, W",
+        x_range=(0.0, float(periods[-1])),
+        y_range=(-reach, reach),
+        layers=(Layer("lines", "motion", lines.columns),),
+    )
+
+
+def orbit_chart(motion: TimeResponse) -> Chart:
+    """Return the tip's path in the VW plane."""
+    path = motion.displacement
+    reach = _nice(1.04 * float(np.abs(path).max()))
+    lines = Lines()
+    lines.add(path.real, path.imag, "path of the tip", "orbit")
+    ends = [
+        (float(path[0].real), float(path[0].imag), "start"),
+        (float(path[-1].real), float(path[-1].imag), "end of the stretch"),
+    ]
+    return Chart(
+        key="orbit",
+        title="Orbit of the tip",
+        x_label="tip displacement V",
+        y_label="tip displacement W",
+        x_range=(-reach, reach),
+        y_range=(-reach, reach),
+        layers=(
+            Layer("lines", "orbit", lines.columns),
+            Layer("points", "start", mark_columns(ends[:1])),
+            Layer("points", "end", mark_columns(ends[1:])),
+        ),
+        square=True,
+    )
+
+
+def marker_layer(x: float, y: float) -> Layer:
+    """Return the marker of the point that is looked into."""
+    return Layer("points", "marker", mark_columns([(x, y, "the point looked into")]))
+
+
+def pair_layers(x: float, pair: tuple[float, float], name: str, excitation: float) -> list[Layer]:
+    """Return the pair of frequencies next to θ̄ at one abscissa, and θ̄ as a ruler beside them.
+
+    Parameters
+    ----------
+    x : float
+        Load or spin speed.
+    pair : (float, float)
+        Signed frequencies.
+    name : str
+        Of the pair, such as 1B+1F.
+    excitation : float
+        θ̄; the ruler of this length starts at the lower frequency.
+    """
+    low, high = sorted(pair)
+    lines = Lines()
+    ends = np.array([low, low + excitation])
+    lines.add(np.array([x, x]), ends, f"θ̄ = {excitation:.4g} from {low:.4g}", "marker")
+    rows = [(x, one, f"{name}: ω̄ = {one:.5g}") for one in (low, high)]
+    return [
+        Layer("lines", "marker ruler", lines.columns),
+        Layer("points", "marker", mark_columns(rows)),
+    ]

@@ -1,0 +1,306 @@
+"""What the commands of the command line do; `cli` reads their arguments.
+
+Every function takes the parsed arguments and raises ValueError or OSError with one clear
+line. Only drawing loads HoloViews.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+from unicodedata import combining
+
+import numpy as np
+
+from .._arguments import number
+from ..drawing import tables
+from ..model.finite_element import finite_element
+from ..model.system import System, lumped
+from ..paper import (
+    CONCLUSIONS,
+    FIGURES,
+    FLOQUET_CONCLUSIONS,
+    FLOQUET_FIGURES,
+    Figure,
+    Statement,
+    own_regions,
+    table_1,
+)
+from ..paper.validation import validation_markdown
+from ..rotors.shaft_disk import ShaftDisk
+from ..whirl.frequencies import whirl_frequencies
+
+__all__ = [
+    "MOST_VALUES",
+    "run_conclusions",
+    "run_figure",
+    "run_regions",
+    "run_table",
+    "run_validation",
+    "run_whirl",
+]
+
+_DRAWN = (".pdf", ".svg", ".png")
+_TABLES = (".csv", ".json")
+MOST_VALUES = 10_000
+"""Largest number of values a range or a sweep may have."""
+
+
+def _suffix(path: str, allowed: Sequence[str]) -> str:
+    """Return a file name's ending, which chooses the format."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in allowed:
+        raise ValueError(f"`--output` must end in {', '.join(allowed)}, got {path!r}")
+    return suffix
+
+
+def _figure_data(figure: Figure, suffixes: Sequence[str]) -> dict[str, bytes | str]:
+    """Return a figure in the formats of some file endings."""
+    data: dict[str, bytes | str] = {}
+    drawn = [suffix[1:] for suffix in suffixes if suffix in _DRAWN]
+    if drawn:
+        try:
+            from ..drawing.printed import figure_files
+
+            files = figure_files(figure, drawn)
+        except ImportError as error:
+            raise ValueError(
+                f".{drawn[0]} needs {error.name}, which is not installed: "
+                "pip install 'rotorstab[app]', or write .csv or .json"
+            ) from None
+        data |= {f".{name}": content for name, content in files.items()}
+    if ".csv" in suffixes:
+        data[".csv"] = tables.figure_csv(figure)
+    if ".json" in suffixes:
+        data[".json"] = tables.figure_json(figure)
+    return data
+
+
+def _reading(title: str, statements: Sequence[Statement]) -> str:
+    """Write statements for a terminal."""
+    lines = [title]
+    for one in statements:
+        lines += ["", f"  paper: {one.text}", f"  ours:  {one.ours}", f"  → {one.verdict}"]
+        if one.note:
+            lines.append(f"  note:  {one.note}")
+    return "\n".join(lines) + "\n"
+
+
+def _text_table(columns: Mapping[str, Sequence[Any]]) -> str:
+    """Write columns of equal length, aligned."""
+
+    def cell(value: Any) -> str:
+        if isinstance(value, float | np.floating):
+            return "-" if np.isnan(value) else f"{value:.8g}"
+        return "-" if value is None else str(value)
+
+    blocks = [[name, *map(cell, values)] for name, values in columns.items()]
+
+    def room(text: str) -> int:
+        """Count characters; combining marks, as in Ω̄, take no room."""
+        return sum(not combining(letter) for letter in text)
+
+    widths = [max(map(room, block)) for block in blocks]
+    rows = zip(*blocks, strict=True)
+    lines = (
+        "  ".join(
+            " " * (width - room(text)) + text for text, width in zip(row, widths, strict=True)
+        )
+        for row in rows
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _emit(
+    text: str,
+    data: Callable[[str], bytes | str],
+    arguments: argparse.Namespace,
+    allowed: Sequence[str],
+) -> None:
+    """Print the text, or write the file that `--output` names."""
+    if arguments.output is None:
+        sys.stdout.write(text)
+        return
+    suffix = _suffix(arguments.output, allowed)
+    path = Path(arguments.output)
+    if path.exists() and not arguments.force:
+        raise ValueError(f"{path} exists; --force overwrites it")
+    tables.write_file(path, _marked(data(suffix), suffix, arguments), arguments.force)
+
+
+def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> bytes | str:
+    """Begin a CSV with a byte order mark where `--excel` asks for it: Excel then reads UTF-8."""
+    if suffix == ".csv" and isinstance(data, str) and arguments.excel:
+        return "\ufeff" + data
+    return data
+
+
+def _figure(number: int, floquet: bool) -> Figure:
+    """Return a figure, with Floquet where that is asked for and there is one."""
+    return FIGURES[number](**({"floquet": True} if floquet and number in FLOQUET_FIGURES else {}))
+
+
+def run_figure(arguments: argparse.Namespace) -> None:
+    """Write or read out one figure of the paper, or write all."""
+    if (arguments.number is None) == (arguments.all is None):
+        raise ValueError("give either a figure's number, 2 to 9, or --all DIRECTORY")
+    if arguments.all is not None:
+        _write_all(Path(arguments.all), arguments.formats.split(","), arguments)
+        return
+    if arguments.floquet and arguments.number not in FLOQUET_FIGURES:
+        raise ValueError(
+            f"`--floquet` is for figures {FLOQUET_FIGURES[0]} to {FLOQUET_FIGURES[-1]}, "
+            f"got {arguments.number}"
+        )
+    figure = _figure(arguments.number, arguments.floquet)
+    _emit(
+        _reading(f"Figure {figure.number}. {figure.title}", figure.reading),
+        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        arguments,
+        (*_DRAWN, *_TABLES),
+    )
+
+
+def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Namespace) -> None:
+    """Write every figure and the table; nothing if any file is in the way."""
+    force = arguments.force
+    known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
+    for one in formats:
+        if one not in known:
+            raise ValueError(f"`--formats` must be among {','.join(known)}, got {one!r}")
+    directory.mkdir(exist_ok=True)
+    table = [one for one in formats if one in ("csv", "json")]
+    names = [f"figure_{n}.{one}" for n in FIGURES for one in formats]
+    names += [f"table_1.{one}" for one in table]
+    taken = [name for name in names if (directory / name).exists()]
+    if taken and not force:
+        raise ValueError(f"{directory / taken[0]} exists; --force overwrites it")
+    for n in FIGURES:
+        figure = _figure(n, arguments.floquet)
+        for suffix, content in _figure_data(figure, [f".{one}" for one in formats]).items():
+            content = _marked(content, suffix, arguments)
+            tables.write_file(directory / f"figure_{n}{suffix}", content, force)
+    for one in table:
+        data = tables.table_csv(table_1()) if one == "csv" else tables.table_json(table_1())
+        tables.write_file(directory / f"table_1.{one}", _marked(data, f".{one}", arguments), force)
+    sys.stdout.write(f"{len(names)} files in {directory}\n")
+
+
+def run_table(arguments: argparse.Namespace) -> None:
+    """Write or print Table 1."""
+    table = table_1()
+    text = _text_table(
+        {
+            "quantity": [row.name for row in table.rows],
+            "unit": [row.unit for row in table.rows],
+            "paper": [row.text for row in table.rows],
+            "rotorstab": [row.ours for row in table.rows],
+        }
+    )
+    formats = {".csv": tables.table_csv, ".json": tables.table_json}
+    _emit(text, lambda suffix: formats[suffix](table), arguments, _TABLES)
+
+
+def run_conclusions(_: argparse.Namespace) -> None:
+    """Print the five conclusions."""
+    for letter, conclusion in CONCLUSIONS.items():
+        statement, truth = conclusion(), FLOQUET_CONCLUSIONS[letter]()
+        lines = [
+            statement.text,
+            *_verdict("Bolotin's regions", statement),
+            *_verdict("Floquet", truth),
+        ]
+        sys.stdout.write("\n".join(lines) + "\n\n")
+
+
+def _verdict(method: str, statement: Statement) -> list[str]:
+    """Write what one method says of a conclusion."""
+    lines = [f"  {method}: {statement.ours}", f"  → {statement.verdict}"]
+    return lines + [f"  note: {statement.note}"] * bool(statement.note)
+
+
+def run_validation(arguments: argparse.Namespace) -> None:
+    """Write or print the validation table."""
+    text = validation_markdown()
+    _emit(text, lambda _: text, arguments, (".md",))
+
+
+def _rotor(arguments: argparse.Namespace) -> ShaftDisk:
+    return ShaftDisk(**{one.name: getattr(arguments, one.name) for one in fields(ShaftDisk)})
+
+
+def _system(arguments: argparse.Namespace) -> System:
+    """Return the rotor's system at rest, by the chosen model."""
+    damping = (arguments.external_damping, arguments.internal_damping)
+    if arguments.model == "finite-element":
+        modes = None if arguments.modes is None else int(arguments.modes)
+        return finite_element(
+            _rotor(arguments), 0.0, arguments.tangency, arguments.elements, modes, *damping
+        )
+    law = "exact" if arguments.model == "exact" else "linear"
+    return lumped(_rotor(arguments), 0.0, arguments.tangency, *damping, law)
+
+
+def _parameters(arguments: argparse.Namespace, *names: str) -> dict[str, Any]:
+    """Return the named arguments as plain values."""
+    rotor = [one.name for one in fields(ShaftDisk)]
+    values = {name: getattr(arguments, name) for name in (*rotor, "tangency", "model", *names)}
+    if arguments.model == "finite-element":
+        values |= {"elements": arguments.elements, "modes": arguments.modes}
+    return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in values.items()}
+
+
+def run_whirl(arguments: argparse.Namespace) -> None:
+    """Write or print whirl frequencies over spin speeds and loads."""
+    spins, loads = arguments.spin_speed, arguments.load
+    number("spin-speed × load values", spins.size * loads.size, 1, MOST_VALUES)
+    frequencies = whirl_frequencies(_system(arguments).at_speed(spins[:, None]), loads)
+    roots = frequencies.shape[-1]
+    columns: dict[str, Sequence[Any]] = {
+        "spin_speed": np.repeat(spins, loads.size * roots).tolist(),
+        "load": np.tile(np.repeat(loads, roots), spins.size).tolist(),
+        "root": list(range(1, roots + 1)) * (spins.size * loads.size),
+        "frequency": frequencies.real.ravel().tolist(),
+        "growth_rate": (-frequencies.imag.ravel() + 0.0).tolist(),
+    }
+    details = [
+        "spin_speed, frequency, growth_rate [√(EI/ρAL⁴)], load [EI/L²]",
+        "frequency above 0: forward whirl, below 0: backward",
+    ]
+    parameters = _parameters(arguments, "external_damping", "internal_damping")
+    formats = {".csv": tables.columns_csv, ".json": tables.columns_json}
+    _emit(
+        _text_table(columns),
+        lambda suffix: formats[suffix]("Whirl frequencies", details, parameters, columns),
+        arguments,
+        _TABLES,
+    )
+
+
+def run_regions(arguments: argparse.Namespace) -> None:
+    """Write or print the Bolotin regions of an own rotor."""
+    figure = own_regions(
+        _system(arguments),
+        arguments.shear,
+        arguments.spin_speed.tolist(),
+        arguments.static_factor.tolist(),
+        arguments.largest_factor,
+        _parameters(arguments),
+    )
+    columns: dict[str, list[Any]] = {"panel": [], "boundary": [], "beta_d": [], "theta/omega_n": []}
+    for panel in figure.panels:
+        for one in panel.series:
+            for beta in np.linspace(0.0, arguments.largest_factor, 6):
+                row = (panel.title, one.name, float(beta), float(np.interp(beta, one.y, one.x)))
+                for column, value in zip(columns.values(), row, strict=True):
+                    column.append(value)
+    _emit(
+        _text_table(columns),
+        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        arguments,
+        (*_DRAWN, *_TABLES),
+    )

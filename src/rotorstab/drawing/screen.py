@@ -1,0 +1,338 @@
+"""Charts drawn with HoloViews, for the dashboard (Bokeh), notebooks and print (Matplotlib).
+
+The only module here that imports HoloViews. `element` draws any `charts.Chart`; `columns`
+gives what a drawn layer's data source holds, so that a live chart is patched, not rebuilt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from .._arguments import extra_is_missing
+
+try:
+    import holoviews as hv
+    from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
+    from bokeh.palettes import Plasma256
+except ImportError as error:
+    raise extra_is_missing(__name__, error) from error
+
+from ..charts import ROLES, Chart, Layer, axis_symbol
+
+__all__ = ["POINT_LOOKS", "columns", "element", "hover_names"]
+
+
+_SIDES: Mapping[str, Mapping[str, Any]] = {
+    "left": {"align": "right", "baseline": "middle", "dx": -5, "dy": 0},
+    "right": {"align": "left", "baseline": "middle", "dx": 5, "dy": 0},
+    "upper left": {"align": "right", "baseline": "bottom", "dx": -4, "dy": -2},
+    "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
+    "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
+}
+_DIAMOND = {"marker": "diamond", "size": 10, "color": ROLES["current"].color, "line_color": "white"}
+# by the label of the layer; shape and filling tell what the colour tells
+POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
+    "multipliers": _DIAMOND | {"marker": "circle", "size": 11, "color": "#1f7fbf"},
+    "growing multipliers": _DIAMOND | {"marker": "triangle", "size": 14, "color": "#d1480f"},
+    "minus one": {
+        "marker": "x",
+        "size": 14,
+        "color": "#a8518a",
+        "line_color": "#a8518a",
+        "line_width": 3,
+    },
+    "start": _DIAMOND | {"marker": "circle", "size": 10},
+    "end": _DIAMOND | {"marker": "square", "size": 9, "color": "#c2255c"},
+    "marker": {
+        "marker": "circle_dot",
+        "size": 16,
+        "color": "white",
+        "line_color": "#c2255c",
+        "line_width": 3,
+    },
+}
+_GROWTH_COLOURS = list(Plasma256[30:236])
+_DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
+_TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
+
+
+def columns(layer: Layer) -> dict[str, Any]:
+    """Return the Bokeh data-source columns of one layer, by the names HoloViews gives them."""
+    data = layer.columns
+    if layer.kind == "map":
+        return {key: list(value) for key, value in data.items()}
+    if layer.kind == "regions":
+        # MultiPolygons nest: polygon, then its outer ring
+        return {
+            "xs": [[[x]] for x in data["xs"]],
+            "ys": [[[y]] for y in data["ys"]],
+            "name": list(data["name"]),
+        }
+    if layer.kind == "lines":
+        roles = [ROLES[role] for role in data["role"]]
+        return {
+            "xs": list(data["xs"]),
+            "ys": list(data["ys"]),
+            "name": list(data["name"]),
+            "color": [role.color for role in roles],
+            "dash": [role.dash for role in roles],
+            "width": [role.width for role in roles],
+        }
+    result = {"x": np.asarray(data["x"]), "y": np.asarray(data["y"]), "name": list(data["name"])}
+    if layer.kind == "labels":
+        sides = [_SIDES[side] for side in data["side"]]
+        result |= {key: [side[key] for side in sides] for key in ("align", "baseline", "dx", "dy")}
+    return result
+
+
+def _apply_line_styles(plot: Any, _: Any) -> None:
+    """Let every line of a layer take its own colour, dash and width from the source."""
+    glyph = plot.handles["glyph"]
+    glyph.line_color, glyph.line_dash, glyph.line_width = (
+        {"field": name} for name in ("color", "dash", "width")
+    )
+    glyph.line_cap = "butt"
+
+
+def _apply_hatch(plot: Any, _: Any) -> None:
+    """Hatch the regions: shading alone is too faint a sign."""
+    plot.handles["glyph"].update(
+        hatch_pattern="right_diagonal_line",
+        hatch_color="#8a93a0",
+        hatch_alpha=0.3,
+        hatch_scale=9,
+        hatch_weight=0.8,
+    )
+
+
+def _apply_label_places(plot: Any, _: Any) -> None:
+    """Let every label stand on its own side of its point."""
+    plot.handles["glyph"].update(
+        text_align={"field": "align"},
+        text_baseline={"field": "baseline"},
+        x_offset={"field": "dx"},
+        y_offset={"field": "dy"},
+        background_fill_color="white",
+        background_fill_alpha=0.7,
+    )
+
+
+def _axis_name(label: str) -> str:
+    symbol, unit = axis_symbol(label)
+    return f"{symbol} [{unit}]" if unit else symbol
+
+
+def _growth_name(chart: Chart) -> str:
+    return "growth σ [1/s]" if chart.units == "SI" else "growth σ̄"
+
+
+def hover_names(chart: Chart) -> list[str]:
+    """Return the hover's names of abscissa, ordinate and growth, in the chart's units."""
+    return [_axis_name(chart.x_label), _axis_name(chart.y_label), _growth_name(chart)]
+
+
+def _hover(chart: Chart) -> HoverTool:
+    """Return a hover tool that names the mark and gives the point in the chart's symbols."""
+    return HoverTool(
+        tooltips=[
+            ("", "@name"),
+            (_axis_name(chart.x_label), "$x{0.000}"),
+            (_axis_name(chart.y_label), "$y{0.000}"),
+        ],
+        line_policy="nearest",
+        visible=False,
+    )
+
+
+def _finish(plot: Any, _: Any) -> None:
+    """Settle what HoloViews has no option for."""
+    figure = plot.state
+    figure.toolbar.logo = None
+    figure.toolbar.active_drag = next(
+        tool for tool in figure.toolbar.tools if type(tool).__name__ == "BoxZoomTool"
+    )
+    figure.toolbar.active_scroll = None
+    # the page's own ground shows through, light or dark
+    figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
+    for axis in figure.axis:
+        # plain digits as far as they fit
+        axis.formatter.update(power_limit_high=7)
+        axis.update(
+            axis_label_text_font_style="normal",
+            axis_label_text_font_size="14px",
+            major_label_text_font_size="12px",
+            minor_tick_line_color=None,
+        )
+
+
+_SHORT_TICKS = """
+const value = Number(tick.toPrecision(4)), size = Math.abs(value)
+const far = size >= 1e4 || (size > 0 && size < 1e-3)
+return (far ? value.toExponential().replace("e+", "e") : String(value)).replaceAll("-", "−")
+"""
+
+
+def _make_square(plot: Any, _: Any) -> None:
+    """Give the frame borders of one size, so that a square place makes equal scales."""
+    # no toolbar: it would take its height from the frame
+    plot.state.update(
+        toolbar_location=None,
+        min_border_left=64,
+        min_border_right=14,
+        min_border_top=14,
+        min_border_bottom=64,
+    )
+    for axis in plot.state.axis:
+        # few and short, so that they stay apart at any size of the motion
+        axis.ticker.desired_num_ticks = 4
+        axis.formatter = CustomJSTickFormatter(code=_SHORT_TICKS)
+
+
+def _bare_colours(plot: Any, _: Any) -> None:
+    """Let what is not a number stay clear, and forget HoloViews' own range."""
+    plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
+
+
+def _per_period(plot: Any, _: Any) -> None:
+    """Let the hover give the growth per unit of time and per period of the load."""
+    words = CustomJSHover(
+        args={"source": plot.handles["source"]},
+        code="""
+        const period = 2 * Math.PI / (special_vars.x * source.data.frequency[0])
+        return value ? `${value.toFixed(4)}, ${(value * period).toFixed(3)} a period` : "none"
+        """,
+    )
+    plot.handles["hover"].formatters |= {"@rate": words}
+
+
+def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
+    """Return a map as an image; growth carries the colour bar and the hover."""
+    (left, right), (low, high) = chart.x_range, chart.y_range
+    values = np.asarray(layer.columns["image"][0])
+    # HoloViews wants the first row on top
+    image = hv.Image(
+        values[::-1], bounds=(left, low, right, high), vdims=["image"], label=layer.label
+    )
+    growth = layer.label == "growth"
+    return image.opts(
+        hv.opts.Image(
+            cmap=_GROWTH_COLOURS if growth else _DISAGREEMENT_COLOURS,
+            clim=(0.0, 1.0),
+            colorbar=growth,
+            colorbar_position="right",
+            clabel="",
+            colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
+            alpha=1.0 if growth else 0.4,
+            tools=[_map_hover(chart)] if growth else [],
+            hooks=[_bare_colours, _per_period] if growth else [_bare_colours],
+            backend="bokeh",
+        )
+    )
+
+
+def _map_hover(chart: Chart) -> HoverTool:
+    """Return a hover tool that gives the place, the growth and both verdicts."""
+    words = CustomJSHover(
+        code="""
+        return ["stable by both", "Floquet: unstable, Bolotin: no region",
+                "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
+        """
+    )
+    return HoverTool(
+        tooltips=[
+            (_axis_name(chart.x_label), "$x{0.000}"),
+            (_axis_name(chart.y_label), "$y{0.000}"),
+            (_growth_name(chart), "@rate{custom}"),
+            ("verdict", "@verdict{custom}"),
+        ],
+        formatters={"@verdict": words},
+        visible=False,
+    )
+
+
+def _draw(chart: Chart, layer: Layer) -> hv.Element:
+    """Return one layer's HoloViews element, styled for Bokeh."""
+    data = columns(layer)
+    label = layer.label
+    if layer.kind == "map":
+        return _draw_map(chart, layer)
+    if layer.kind == "regions":
+        paths = [
+            {"x": xs[0][0], "y": ys[0][0], "name": name}
+            for xs, ys, name in zip(*data.values(), strict=True)
+        ]
+        shape = hv.Polygons(paths, vdims=["name"], label=label)
+        return shape.opts(
+            hv.opts.Polygons(
+                color="#8a93a0",
+                fill_alpha=0.06,
+                line_alpha=0.0,
+                hooks=[_apply_hatch],
+                backend="bokeh",
+            )
+        )
+    if layer.kind == "lines":
+        extra = ["name", "color", "dash", "width"]
+        rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
+        paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]
+        lines = hv.Contours(paths, vdims=extra, label=label)
+        return lines.opts(
+            hv.opts.Contours(
+                hooks=[_apply_line_styles],
+                tools=[_hover(chart)],
+                show_legend=False,
+                backend="bokeh",
+            )
+        )
+    marks = (data["x"], data["y"], data["name"])
+    if layer.kind == "points":
+        return hv.Points(marks, vdims=["name"], label=label).opts(
+            hv.opts.Points(
+                **POINT_LOOKS.get(layer.label, _DIAMOND),
+                tools=[_hover(chart)],
+                backend="bokeh",
+            )
+        )
+    return hv.Labels(marks, vdims=["name"], label=label).opts(
+        hv.opts.Labels(
+            text_font_size="9pt",
+            text_font_style="bold",
+            text_color="#6b7280",
+            hooks=[_apply_label_places],
+            backend="bokeh",
+        )
+    )
+
+
+def element(chart: Chart) -> hv.Overlay:
+    """Return the chart as a HoloViews overlay, one element a layer.
+
+    Parameters
+    ----------
+    chart : Chart
+        From `rotorstab.charts`.
+
+    Returns
+    -------
+    holoviews.Overlay
+        Styled for the Bokeh backend; axis labels are the paper's symbols.
+    """
+    return hv.Overlay([_draw(chart, layer) for layer in chart.layers]).opts(
+        hv.opts.Overlay(
+            title="",
+            xlabel=chart.x_label,
+            ylabel=chart.y_label,
+            xlim=chart.x_range,
+            ylim=chart.y_range,
+            show_legend=False,
+            responsive=True,
+            min_height=240,
+            toolbar="above",
+            default_tools=_TOOLS,
+            hooks=[_finish, _make_square] if chart.square else [_finish],
+            backend="bokeh",
+        )
+    )

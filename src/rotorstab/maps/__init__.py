@@ -1,0 +1,1 @@
+"""Stability over the whole plane of pulsating load and excitation frequency, and its margins."""

@@ -1,0 +1,185 @@
+"""The modal form of the mean system, z' = jRz with z = (q, −jq̇).
+
+In these coordinates R is real without damping, its eigenvalues are the whirl frequencies
+(solution exp(jωt), ω > 0 forward) and time reversal is complex conjugation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .._arguments import numbers
+from .._numerics.quartic import is_real
+from .system import System
+
+__all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
+
+_FRACTIONS = (1.0, 0.9, 0.7, 0.4, 0.0)  # of the static load, tried in turn
+_GOOD_CONDITION = 1e3
+
+
+@dataclass(frozen=True)
+class ModalBasis:
+    """Eigenvalues and eigenvectors of R at one mean load.
+
+    Parameters
+    ----------
+    load : (...) float
+        The load p̄ at which R is taken [EI/L²].
+    frequencies : (..., 2n) float or complex
+        ω sorted by real part [√(EI/(ρAL⁴))]; real if every one is (undamped, stable mean).
+    vectors, inverse : (..., 2n, 2n) float or complex
+        V, columns in the order of `frequencies`, and V⁻¹.
+    """
+
+    load: NDArray[np.float64]
+    frequencies: NDArray[Any]
+    vectors: NDArray[Any]
+    inverse: NDArray[Any]
+
+
+def state_matrix(system: System, stiffness: ArrayLike) -> NDArray[Any]:
+    """Return R = [[0, I], [M⁻¹K, jM⁻¹D]] of z' = jRz, z = (q, −jq̇).
+
+    Parameters
+    ----------
+    system : System
+    stiffness : (..., n, n) float or complex
+        K at the load wanted, rotating damping's part included.
+
+    Returns
+    -------
+    (..., 2n, 2n) float, or complex with damping
+    """
+    n = system.size
+    rate: NDArray[Any] = system.spin_matrix()
+    if system.is_damped:
+        rate = 1j * system.damping()
+    lower_left, lower_right = np.broadcast_arrays(
+        np.linalg.solve(system.mass, np.asarray(stiffness)), np.linalg.solve(system.mass, rate)
+    )
+    shape = (*lower_left.shape[:-2], 2 * n, 2 * n)
+    matrix = np.zeros(shape, dtype=np.result_type(lower_left, lower_right))
+    matrix[..., :n, n:] = np.eye(n)
+    matrix[..., n:, :n] = lower_left
+    matrix[..., n:, n:] = lower_right
+    return matrix
+
+
+def modal_basis(system: System, load: ArrayLike, stiffness: ArrayLike | None = None) -> ModalBasis:
+    """Return the modal basis of the mean system.
+
+    Parameters
+    ----------
+    system : System
+    load : (...) float
+        p̄ [EI/L²]; broadcasts against the spin speed.
+    stiffness : (..., n, n), optional
+        K to use in place of `system.stiffness(load)`.
+
+    Returns
+    -------
+    ModalBasis
+
+    Notes
+    -----
+    At a coalescence of two frequencies (flutter, buckling) V is singular or nearly so;
+    its entries are then large or NaN and the caller must look at its condition.
+    """
+    load = numbers("load", load)
+    matrix = state_matrix(system, system.stiffness(load) if stiffness is None else stiffness)
+    values, vectors = np.linalg.eig(matrix)
+    order = np.argsort(values.real, axis=-1, kind="stable")
+    values = np.take_along_axis(values, order, -1)
+    vectors = np.take_along_axis(vectors, order[..., None, :], -1)
+    if np.iscomplexobj(values) and np.isrealobj(matrix) and not values.imag.any():
+        values, vectors = values.real, vectors.real
+    try:
+        inverse = np.linalg.inv(vectors)
+    except np.linalg.LinAlgError:
+        inverse = np.linalg.pinv(vectors)
+    return ModalBasis(np.broadcast_to(load, values.shape[:-1]), values, vectors, inverse)
+
+
+def _is_good(basis: ModalBasis, damped: bool) -> NDArray[np.bool_]:
+    """Tell where V is well conditioned and, undamped, every frequency is real."""
+    norms = np.linalg.norm(basis.vectors, axis=(-2, -1)) * np.linalg.norm(
+        basis.inverse, axis=(-2, -1)
+    )
+    good = norms < _GOOD_CONDITION * basis.vectors.shape[-1]
+    if not damped:
+        good &= is_real(basis.frequencies).all(axis=-1)
+    return np.asarray(good)
+
+
+def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
+    """Return a well conditioned modal basis at the mean load or, failing that, a smaller one.
+
+    An integrator that splits R(t) into R(p̄_ref) and a remainder may choose p̄_ref freely, so
+    near flutter or buckling of the mean system it takes a fraction of p̄₀; p̄_ref = 0 always
+    serves, for there K is symmetric and positive.
+
+    Parameters
+    ----------
+    system : System
+    static_load : (...) float
+        p̄₀ [EI/L²]; broadcasts against the spin speed.
+
+    Returns
+    -------
+    ModalBasis
+        Real throughout if the system is undamped.
+
+    Raises
+    ------
+    ValueError
+        If an undamped system buckles or flutters without any load.
+    """
+    static = np.broadcast_to(
+        numbers("static_load", static_load),
+        np.broadcast_shapes(np.shape(static_load), system.spin_speed.shape),
+    )
+    load = static.copy()
+    basis = modal_basis(system, load)
+    for fraction in _FRACTIONS[1:]:
+        bad = ~_is_good(basis, system.is_damped)
+        if not bad.any():
+            break
+        load = np.where(bad, fraction * static, load)
+        basis = modal_basis(system, load)
+    if system.is_damped or np.isrealobj(basis.frequencies):
+        return basis
+    if not is_real(basis.frequencies).all():
+        raise ValueError("`system` must be stable without load and damping, its stiffness is not")
+    return ModalBasis(
+        basis.load, basis.frequencies.real, basis.vectors.real, np.linalg.inv(basis.vectors.real)
+    )
+
+
+def mode_names(frequencies: ArrayLike) -> tuple[str, ...]:
+    """Name whirl modes 1B, 1F, 2B, 2F and so on, by rank of |ω| within each precession.
+
+    Parameters
+    ----------
+    frequencies : (2n,) float or complex
+        Signed ω; the real part decides. ω ≥ 0 is forward.
+
+    Returns
+    -------
+    tuple of str
+
+    Examples
+    --------
+    >>> mode_names([-1.9, -0.4, 0.9, 3.4])
+    ('2B', '1B', '1F', '2F')
+    """
+    real = np.real(np.asarray(frequencies))
+    names = [""] * len(real)
+    for letter, members in (("B", np.flatnonzero(real < 0)), ("F", np.flatnonzero(real >= 0))):
+        for rank, index in enumerate(members[np.argsort(np.abs(real[members]), kind="stable")]):
+            names[index] = f"{rank + 1}{letter}"
+    return tuple(names)

@@ -1,0 +1,68 @@
+"""Every figure of the paper as data, with what the text says of it."""
+
+from collections.abc import Callable
+
+from .coefficients import figure_2, figure_3
+from .conclusions import CONCLUSIONS
+from .floquet_conclusions import FLOQUET_CONCLUSIONS
+from .load_frequency import figure_8
+from .own_rotor import own_regions
+from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
+from .structure import Figure, Grid, Mark, Panel, Region, Series, Statement
+from .table_1 import Row, Table, table_1
+
+__all__ = [
+    "CONCLUSIONS",
+    "FIGURES",
+    "FLOQUET_CONCLUSIONS",
+    "FLOQUET_FIGURES",
+    "Figure",
+    "Grid",
+    "Mark",
+    "Panel",
+    "Region",
+    "Row",
+    "Series",
+    "Statement",
+    "Table",
+    "figure_2",
+    "figure_3",
+    "figure_4",
+    "figure_5",
+    "figure_6",
+    "figure_7",
+    "figure_8",
+    "figure_9",
+    "own_regions",
+    "paper_figure",
+    "table_1",
+]
+
+FIGURES: dict[int, Callable[..., Figure]] = {
+    2: figure_2,
+    3: figure_3,
+    4: figure_4,
+    5: figure_5,
+    6: figure_6,
+    7: figure_7,
+    8: figure_8,
+    9: figure_9,
+}
+"""The function of each figure by its number."""
+
+FLOQUET_FIGURES = (4, 5, 6, 7, 8, 9)
+"""Those whose function takes `floquet=True`."""
+
+
+def paper_figure(number: int, floquet: bool = False) -> Figure:
+    """Return a figure of the paper by its number.
+
+    Parameters
+    ----------
+    number : int
+        A key of `FIGURES`.
+    floquet : bool
+        Add Floquet's answer, for a figure that is one of `FLOQUET_FIGURES`.
+    """
+    make = FIGURES[number]
+    return make(floquet=True) if floquet and number in FLOQUET_FIGURES else make()

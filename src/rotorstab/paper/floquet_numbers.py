@@ -1,0 +1,135 @@
+"""What Floquet says of a variant in numbers: places, growth, widths, areas."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..bolotin.regions import boundary_frequencies
+from ..floquet.point import growth_rate
+from ..floquet.resonance import Resonance, resonances
+from .region_panels import LOWEST, Variant
+from .structure import Panel, Region, Statement
+from .verdicts import groups, percent, uphold
+
+__all__ = [
+    "PRINCIPAL",
+    "Variants",
+    "area",
+    "growth",
+    "place",
+    "read_shading",
+    "separating",
+    "strongest",
+    "tongues",
+    "width",
+]
+
+PRINCIPAL = "1B+1F"
+"""The pair whose tongue the paper's first region stands for."""
+
+_GRID = (600, 80)  # points over θ/ω_n and β_d on which areas are compared
+_GROWS = 1e-6  # a growth rate above this is one
+_CONFIRMED = 0.8  # of a Bolotin region that must be unstable for its shading to survive
+Variants = Sequence[Sequence[Variant]]
+
+
+def tongues(variant: Variant) -> dict[str, Resonance]:
+    """Return the tongues of first order by name."""
+    table = resonances(variant.true_system, variant.mean_load, variant.reference_load)
+    return {row.name: row for row in table.tongues}
+
+
+def growth(variant: Variant, name: str = PRINCIPAL) -> float:
+    """Return the peak growth rate of a tongue per β_d, 0 where there is none."""
+    row = tongues(variant).get(name)
+    return 0.0 if row is None else row.growth_per_load * variant.reference_load
+
+
+def strongest(variant: Variant) -> tuple[str, float]:
+    """Return the strongest tongue and its growth rate per β_d."""
+    row = max(tongues(variant).values(), key=lambda one: one.growth_per_load)
+    return row.name, row.growth_per_load * variant.reference_load
+
+
+def place(variant: Variant, name: str = PRINCIPAL) -> float:
+    """Return the root θ̄ = |ω_i − ω_j| of a tongue, NaN where there is none."""
+    row = tongues(variant).get(name)
+    return float("nan") if row is None else row.centre
+
+
+def separating(variant: Variant, factor: float = 0.1) -> int:
+    """Return how many of Bolotin's first four boundaries have one stable and one unstable side.
+
+    The sides are looked at a quarter of the region's width away, or 2 % of θ if that is less.
+    """
+    system, mean = variant.true_system, variant.mean_load
+    pulsating = factor * variant.reference_load
+    edges = boundary_frequencies(system, mean, pulsating)[:4]
+    steps = np.minimum(np.repeat(edges[1::2] - edges[::2], 2) / 4, 0.02 * edges)
+    sides = growth_rate(system, mean, pulsating, np.array([edges - steps, edges + steps])) > _GROWS
+    return int((sides[0] != sides[1]).sum())
+
+
+def _halves(region: Region) -> tuple[NDArray[np.float64], ...]:
+    """Return heights and both edges."""
+    half = region.x.size // 2
+    return region.y[:half], region.x[:half], region.x[half:][::-1]
+
+
+def width(panel: Panel, group: str, factor: float, name: str = PRINCIPAL) -> float:
+    """Return the width in θ/ω_n of a tongue of first order at one β_d, 0 where it is not."""
+    widths = []
+    for one in panel.unstable:
+        y, left, right = _halves(one)
+        if one.group == group and one.name.endswith(f"({name})") and y[0] <= factor <= y[-1]:
+            widths.append(np.interp(factor, y, right) - np.interp(factor, y, left))
+    return float(max(widths, default=0.0))
+
+
+def area(panel: Panel, group: str) -> float:
+    """Return the unstable share of the panel's window, from `LOWEST` on."""
+    window = (panel.x_range[1] - LOWEST) * panel.y_range[1]
+    parts = [_halves(one) for one in panel.unstable if one.group == group]
+    return float(sum(np.trapezoid(right - left, y) for y, left, right in parts) / window)
+
+
+def _mask(panel: Panel, regions: Sequence[Region], group: str) -> NDArray[np.bool_]:
+    """Return which points of a grid over the window lie in a group's regions."""
+    columns = np.linspace(LOWEST, panel.x_range[1], _GRID[0])
+    rows = (np.arange(_GRID[1]) + 0.5) / _GRID[1] * panel.y_range[1]
+    inside = np.zeros((rows.size, columns.size), dtype=bool)
+    for one in regions:
+        if one.group == group:
+            y, left, right = _halves(one)
+            here = np.flatnonzero((rows >= y[0]) & (rows <= y[-1]))
+            low, high = (np.interp(rows[here], y, edge)[:, None] for edge in (left, right))
+            inside[here] |= (columns >= low) & (columns <= high)
+    return inside
+
+
+def read_shading(panels: Sequence[Panel]) -> Statement:
+    """Return how much of the shaded area is unstable, and what is unstable outside it."""
+    confirmed, missed = [], []
+    for panel in panels:
+        bolotin, true = [], []
+        for group in groups(panel):
+            bolotin.append(_mask(panel, panel.regions, group))
+            true.append(_mask(panel, panel.unstable, group))
+        shaded, unstable = np.array(bolotin), np.array(true)
+        confirmed.append(float((shaded & unstable).sum() / max(shaded.sum(), 1)))
+        missed.append(float((unstable & ~shaded).sum() / max(unstable.sum(), 1)))
+    parts = "; ".join(
+        f"{panel.title}: {percent(a)}" for panel, a in zip(panels, confirmed, strict=True)
+    )
+    return Statement(
+        "The unstable regions are shaded.",
+        f"Of the area of the Bolotin regions, this much is unstable: {parts}. Of what is "
+        f"unstable, {', '.join(percent(m) for m in missed)} lies outside them.",
+        uphold(*(share > _CONFIRMED for share in confirmed)),
+        "All variants of a panel together. Bolotin's condition asks for a motion of twice the "
+        "load's period; that a spinning rotor has one is no loss of stability. What lies outside "
+        "are resonances of two different modes and those of higher order.",
+    )

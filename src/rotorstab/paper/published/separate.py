@@ -1,0 +1,173 @@
+"""Values of the same model from separate codes, made before this library."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...bolotin.regions import boundary_frequencies
+from ...floquet.resonance import resonances
+from ...model.finite_element import finite_element
+from ...model.system import fundamental_frequency, lumped
+from ...rotors.shaft_disk import BASE_CASE
+from ...whirl.critical_loads import critical_load, flutter_load
+from ...whirl.frequencies import whirl_frequencies
+from .structure import Published, item
+from .table_1 import table_1_whirl
+
+__all__ = ["separate"]
+
+DERIVED = "Separate calculations of the same model"
+
+
+def _whirl(spin: float, tangency: float, load: float, root: int) -> float:
+    return float(whirl_frequencies(lumped(BASE_CASE, spin, tangency), load)[root].real)
+
+
+def _boundary(spin: float, static: float, pulsating: float, root: int) -> float:
+    """Return θ/ω_n of a Bolotin boundary of the base case under axial load."""
+    buckling = critical_load(BASE_CASE.shear)
+    boundaries: NDArray[np.float64] = boundary_frequencies(
+        lumped(BASE_CASE, spin), static * buckling, pulsating * buckling
+    )
+    return float(boundaries[root] / fundamental_frequency(lumped(BASE_CASE, 0.0)))
+
+
+def _tongue(spin: float, tangency: float, name: str, which: int) -> float:
+    """Return a tongue's centre over ω_n, or its peak growth per β_d, at α_s = 0.5."""
+    buckling = float(critical_load(BASE_CASE.shear))
+    row = resonances(lumped(BASE_CASE, spin, tangency), 0.5 * buckling, buckling)[name]
+    scale = fundamental_frequency(lumped(BASE_CASE, 0.0))
+    return (row.centre / scale, row.growth_per_load * buckling)[which]
+
+
+def separate() -> list[Published]:
+    """Return whirl, boundary, tongue and flutter values of the base case and of Table 1."""
+    quartic = "separate solution of the quartic"
+    cases: list[tuple[float, float, float, tuple[str, ...]]] = [
+        (0.0, 0.0, 0.0, ("-2.41457", "-0.64669", "0.64669", "2.41457")),
+        (1.0, 0.0, 0.0, ("-1.93485", "-0.40411", "0.90922", "3.42974")),
+        (2.0, 0.0, 0.0, ("-1.73338", "-0.26610", "1.07302", "4.92646")),
+        (2.0, 0.0, 0.5, ("-1.66431", "-0.15786", "0.92652", "4.89565")),
+        (2.0, 1.0, 0.5, ("-1.60497", "-0.31956", "1.03969", "4.88484")),
+    ]
+    names = ("2B", "1B", "1F", "2F")
+    buckling = float(critical_load(BASE_CASE.shear))
+    items = [
+        item(
+            DERIVED,
+            f"ω̄ of {names[root]}, Ω̄ = {spin:g}, α_s = {factor:g}"
+            + (", follower" if tangency else ""),
+            "-",
+            printed,
+            quartic,
+            partial(_whirl, spin, tangency, factor * buckling, root),
+        )
+        for spin, tangency, factor, row in cases
+        for root, printed in enumerate(row)
+    ]
+    bounds: list[tuple[float, float, float, tuple[str, ...]]] = [
+        (0.0, 0.0, 0.5, ("1.73774", "2.23094")),
+        (0.0, 0.0, 1.0, ("1.42699", "2.43947")),
+        (0.0, 0.5, 0.5, ("1.02453", "1.73774")),
+        (2.0, 0.5, 0.0, ("0.48821", "2.86540")),
+        (2.0, 0.5, 0.5, ("0.42637", "2.86513")),
+    ]
+    items += [
+        item(
+            DERIVED,
+            f"θ/ω_n of boundary {root + 1}, Ω̄ = {spin:g}, α_s = {a:g}, β_d = {b:g}",
+            "-",
+            printed,
+            "separate solution of Eq. (24)",
+            partial(_boundary, spin, a, b, root),
+        )
+        for spin, a, b, row in bounds
+        for root, printed in enumerate(row)
+    ]
+    table: list[tuple[str, float, float, str, str]] = [
+        ("lumped", 0, 0.0, "2F", "1019.46"),
+        ("fe", 0, 0.0, "1F", "146.811"),
+        ("fe", 0, 0.0, "2F", "879.68"),
+        ("lumped", 0, 0.5, "1F", "113.452"),
+        ("lumped", 0, 0.5, "2F", "999.53"),
+        ("fe", 0, 0.5, "1F", "104.176"),
+        ("fe", 0, 0.5, "2F", "858.00"),
+        ("fe", 1000, 0.0, "1B", "139.557"),
+        ("fe", 1000, 0.0, "1F", "153.971"),
+        ("fe", 1000, 0.0, "2B", "806.003"),
+        ("fe", 1000, 0.0, "2F", "962.180"),
+    ]
+    words = {"lumped": "lumped", "fe": "finite elements"}
+    items += [
+        item(
+            DERIVED,
+            f"Table 1's rotor, {mode}, {rpm:g} r.p.m., α_s = {factor:g}, {words[model]}",
+            "rad/s",
+            printed,
+            "separate code of the same model",
+            partial(table_1_whirl, model, rpm, factor, mode),
+        )
+        for model, rpm, factor, mode, printed in table
+    ]
+    tongues: list[tuple[float, float, str, str, str]] = [
+        (1.0, 0.0, "1B+1F", "1.5347", "0.18482"),
+        (1.0, 0.0, "2B+1F", "4.0422", "0.06944"),
+        (1.0, 0.0, "2B+2F", "8.1423", "0.03991"),
+        (1.0, 0.0, "1B+2F", "5.6348", "0.00613"),
+        (2.0, 1.0, "1B+2B", "1.9877", "0.10322"),
+        (2.0, 1.0, "2B+1F", "4.0895", "0.05647"),
+        (2.0, 1.0, "2B+2F", "10.0354", "0.07071"),
+        (2.0, 1.0, "1F+2F", "5.9459", "0.02536"),
+    ]
+    for spin, tangency, name, centre, growth in tongues:
+        case = f"tongue {name}, {'follower' if tangency else 'axial'}, Ω̄ = {spin:g}, α_s = 0.5"
+        source = "separate code, checked by Floquet"
+        items += [
+            item(
+                DERIVED,
+                f"θ/ω_n of {case}",
+                "-",
+                centre,
+                source,
+                partial(_tongue, spin, tangency, name, 0),
+            ),
+            item(
+                DERIVED,
+                f"growth over β_d of {case}",
+                "-",
+                growth,
+                source,
+                partial(_tongue, spin, tangency, name, 1),
+            ),
+        ]
+    follower = "separate code, merging roots"
+    return [
+        *items,
+        item(
+            DERIVED,
+            "flutter load at rest, linear coefficients",
+            "EI/L²",
+            "6.29010",
+            follower,
+            lambda: flutter_load(lumped(BASE_CASE, 0.0, 1.0)),
+        ),
+        item(
+            DERIVED,
+            "flutter load at rest, exact coefficients",
+            "EI/L²",
+            "5.97797",
+            follower,
+            lambda: flutter_load(lumped(BASE_CASE, 0.0, 1.0, stiffness="exact")),
+        ),
+        item(
+            DERIVED,
+            "flutter load at rest, distributed shaft",
+            "EI/L²",
+            "6.0268",
+            "mesh limit of a separate code",
+            lambda: flutter_load(finite_element(BASE_CASE, 0.0, 1.0, 80, 10), 8.0),
+        ),
+    ]

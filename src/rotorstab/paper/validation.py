@@ -1,0 +1,87 @@
+"""The validation table: every published value beside ours, as Markdown.
+
+`docs/validation.md` is this text; a test fails when it is stale.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+
+from . import CONCLUSIONS, FIGURES, FLOQUET_CONCLUSIONS, FLOQUET_FIGURES, Statement
+from .published import PUBLISHED, Published
+
+__all__ = ["validation_markdown"]
+
+_HEAD = """\
+# Validation
+
+Made by `python -m rotorstab validation --output docs/validation.md --force`; do not edit.
+
+"Ours" is rounded to one digit more than was published; the difference is that of the rounded
+numbers. A value is met when the difference is within "allowed": the last printed digit, or what
+is stated. Non-dimensional units: load EI/L², frequency √(EI/ρAL⁴). The base case is Φ = 0.0192,
+M̄_D = 5, Ī_D = 0.8, Ī_P = 1.6, r = 0.08.
+
+"agree" and "differ" compare the text with the paper's own method; "survives" and "does not survive"
+say what of it Floquet upholds.
+"""
+
+
+def _row(one: Published) -> str:
+    """Return one line of the table."""
+    ours = round(one.ours(), one.decimals + 1)
+    difference = round(ours - one.value, one.decimals + 1) + 0.0  # no −0
+    met = "yes" if abs(difference) <= one.allowed * (1 + 1e-9) else "**no**"
+    cells = (
+        one.quantity,
+        one.unit,
+        f"{one.value:.{one.decimals}f}",
+        f"{ours:.{one.decimals + 1}f}",
+        f"{difference:.{one.decimals + 1}f}",
+        f"{one.allowed:g}",
+        met,
+        one.source + (f"; {one.note}" if one.note else ""),
+    )
+    return "| " + " | ".join(cells) + " |"
+
+
+def _statements(statements: Iterable[Statement]) -> list[str]:
+    """Return a list of statements with their verdicts."""
+    lines = []
+    for one in statements:
+        lines.append(f"- **{one.verdict}.** {one.text}")
+        lines.append(f"  Ours: {one.ours}" + (f" *{one.note}*" if one.note else ""))
+    return lines
+
+
+@cache
+def validation_markdown() -> str:
+    """Return the whole document.
+
+    Returns
+    -------
+    str
+        Tables of values by kind of source, then what the text says of each figure and the
+        paper's conclusions, each with its verdict by the paper's method and by Floquet.
+    """
+    lines = [_HEAD]
+    for section in dict.fromkeys(one.section for one in PUBLISHED):
+        lines += [
+            f"## {section}",
+            "",
+            "| quantity | unit | published | ours | difference | allowed | met | source |",
+            "|---|---|---:|---:|---:|---:|---|---|",
+            *(_row(one) for one in PUBLISHED if one.section == section),
+            "",
+        ]
+    lines += ["## What the text says of each figure", ""]
+    for number, make in FIGURES.items():
+        figure = make(floquet=True) if number in FLOQUET_FIGURES else make()
+        heading = f"### Figure {figure.number}. {figure.title}"
+        lines += [heading, "", *_statements(figure.reading), ""]
+    conclusions = (conclusion() for conclusion in CONCLUSIONS.values())
+    survivals = (survival() for survival in FLOQUET_CONCLUSIONS.values())
+    lines += ["## The paper's conclusions on Bolotin's regions", "", *_statements(conclusions), ""]
+    lines += ["## The paper's conclusions under Floquet", "", *_statements(survivals)]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,1 @@
+"""What a user describes: the rotor in non-dimensional and SI form, and materials of shafts."""

@@ -1,0 +1,1 @@
+"""How a rotor whirls under a steady load, and which steady load it bears."""

@@ -1,0 +1,145 @@
+""" "As Python": each snippet is run, and its arrays compared with what the page shows."""
+
+from contextlib import redirect_stdout
+from io import StringIO
+
+import numpy as np
+import pytest
+
+from app.exports.snippet import python_snippet
+from app.pages.marked_point import inspect
+from app.results.analysis import solve
+from app.state import PRESETS, State
+from app.words.si import displayed
+
+MARKED = {"marker": True, "marker_frequency": 1.7, "marker_factor": 0.4, "periods": 5.0}
+TABLE_1 = PRESETS["Table 1, 1000 rpm"]
+STATES = {
+    "default": {},
+    "marked": MARKED,
+    "partly, both laws": {"load_type": "partly", "tangency": 0.3, "stiffness": "both", **MARKED},
+    "exact follower, from flutter": {
+        "load_type": "follower",
+        "law": "exact",
+        "reference": "flutter",
+        "static_load_factor": 0.3,
+    },
+    "exact, past the pole": {
+        "law": "exact",
+        "reference": "flutter",
+        "shear": 0.05,
+        "largest_factor": 2.0,
+        "highest_frequency": 4.0,
+    },
+    "damped": {"external_damping": 0.02, "internal_damping": 0.01},
+    "finite elements": {"model": "finite elements", "largest_factor": 0.3},
+    "SI": {"units": "SI", **TABLE_1},
+    "SI, marked, noise": {"units": "SI", **TABLE_1, **MARKED, "initial": "noise", "seed": 7.0},
+    "SI, finite elements": {"units": "SI", **TABLE_1, "model": "finite elements"},
+    "SI, a shaft not in use": {"units": "SI", "shaft_length": 0.8, **MARKED},
+}
+
+
+@pytest.fixture(scope="module", params=STATES, ids=list(STATES))
+def ran(request):
+    """A state, what its snippet defines, its text, and what it prints."""
+    state = State()
+    assert state.change(STATES[request.param]) == {}
+    text = python_snippet(state)
+    names = {}
+    with redirect_stdout(StringIO()) as printed:
+        exec(compile(text, "snippet", "exec"), names)
+    return state, names, text, printed.getvalue()
+
+
+def lines(chart, label, column="ys"):
+    return list(chart.layer(label).columns[column])
+
+
+def same(drawn, computed):
+    """Compare curves; HoloViews gets NaN where a pair is complex."""
+    drawn = np.asarray(drawn)
+    seen = np.isfinite(drawn)
+    assert seen.any()
+    np.testing.assert_allclose(drawn[seen], np.asarray(computed)[seen], rtol=1e-6, atol=1e-9)
+
+
+def test_a_snippet_computes_the_arrays_of_the_charts(ran):
+    state, names, *_ = ran
+    result = solve(state)
+    charts = displayed(result.charts, state, result.numbers)
+    si = state.units == "SI"
+    scales = state.scales() if si else None
+    hertz = scales.frequency / (2 * np.pi) if si else 1.0
+    newton = scales.load if si else 1.0
+    rate = scales.frequency if si else 1.0
+
+    chart = charts["instability"]
+    bolotin = names["bolotin"]
+    ratio = hertz if si else 1 / names["frequency"]
+    factor = newton if si else 1 / names["reference_load"]
+    for x, y, name in zip(
+        *(lines(chart, "boundary", c) for c in ("xs", "ys", "name")), strict=True
+    ):
+        column = bolotin.names.index(name.removesuffix(" boundary"))
+        same(x, bolotin.frequency[:, column] * ratio)
+        same(y, bolotin.pulsating_load * factor)
+    (image,) = chart.layer("growth").columns["image"]
+    stability = names["stability"]
+    assert np.array_equal(np.isfinite(image), stability.unstable)
+    np.testing.assert_allclose(
+        image[stability.unstable], stability.growth[stability.unstable] * rate, rtol=1e-4
+    )
+    labels = chart.layer("tongue").columns
+    centres = [one.centre * ratio for one in names["tongues"]]
+    for name, x in zip(labels["name"], labels["x"], strict=True):
+        assert np.isclose(centres, x).any(), name
+
+    campbell = names["campbell"]
+    speeds = campbell.parameter * (60 * hertz if si else 1.0)
+    drawn = dict(
+        zip(
+            lines(charts["campbell"], "whirl", "name"),
+            lines(charts["campbell"], "whirl"),
+            strict=True,
+        )
+    )
+    for name, column in zip(campbell.names, campbell.frequencies.real.T, strict=True):
+        if np.isfinite(drawn[name]).any():
+            same(drawn[name], column * hertz)
+    same(lines(charts["campbell"], "whirl", "xs")[0], speeds)
+
+    chart = charts["load-frequency"]
+    drawn = dict(zip(lines(chart, "whirl", "name"), lines(chart, "whirl"), strict=True))
+    for kind, curves in names["load_curves"].items():
+        for name, column in zip(curves.names, curves.frequencies.real.T, strict=True):
+            if np.isfinite(drawn[f"{name}, {kind}"]).any():
+                same(drawn[f"{name}, {kind}"], column * hertz)
+    same(lines(chart, "whirl", "xs")[0], names["load_axis"] * newton)
+
+    if state.marker:
+        found = inspect(state, result)
+        time, v = (found.charts["response"].layer("motion").columns[c][3] for c in ("xs", "ys"))
+        same(v, names["response"].displacement.real)
+        period = names["response"].period
+        same(time, names["response"].time / (scales.frequency if si else period))
+        shown = [
+            found.charts["multipliers"].layer(f"{k}multipliers").columns for k in ("", "growing ")
+        ]
+        points = np.concatenate([one["x"] + 1j * one["y"] for one in shown])
+        assert sorted(points, key=abs) == pytest.approx(sorted(names["multipliers"], key=abs))
+
+
+def test_it_starts_from_si_data_exactly_where_the_charts_show_that_shaft(ran):
+    state, names, text, printed = ran
+    in_si = state.units == "SI" and state.shaft_in_use()
+    assert ("ShaftDisk.from_si" in text) == in_si
+    assert ("scales" in names) == in_si
+    assert ("one unit of load is" in text) == (state.units == "SI" and not in_si)
+    assert max(map(len, text.splitlines())) < 200
+    assert ("Hz" in printed) == in_si
+    for tongue in names["tongues"]:
+        assert tongue.name in printed
+    if in_si:
+        numbers = solve(state).numbers
+        assert f"{numbers['static_load'] * names['scales'].load:.6g}"[:5] in printed

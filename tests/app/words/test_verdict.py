@@ -1,0 +1,155 @@
+"""The verdict and the words of the marked point against the map and the table."""
+
+import numpy as np
+import pytest
+
+import rotorstab as rs
+from app.pages.marked_point import inspect
+from app.results.analysis import solve
+from app.state import State
+from app.words.verdict import verdict
+
+DRIVEN = {
+    "model": "finite elements",
+    "spin_speed": 4,
+    "external_damping": 0.05,
+    "internal_damping": 0.1,
+}
+SLOW = {
+    "spin_speed": 0,
+    "disk_mass": 0.5,
+    "diametral_inertia": 0.01,
+    "polar_inertia": 6,
+    "static_load_factor": 0.95,
+    "shear": 0.1,
+    "largest_factor": 2,
+    "highest_frequency": 4,
+    "law": "exact",
+    "external_damping": 0.2,
+    "internal_damping": 0.2,
+}
+HELD = {"external_damping": 0.05, "load_type": "follower"}
+
+
+def solved(values, settled=True):
+    state = State()
+    assert state.change(values) == {}
+    return state, solve(state, settled)
+
+
+def test_a_rotor_that_grows_by_itself_is_not_compared_with_bolotin():
+    _, result = solved(DRIVEN)
+    words = verdict(result.floquet)
+    assert "unstable without any pulsation" in words
+    assert "All of the computed part of this window is unstable, at any pulsation." in words
+    assert "overstating" not in words
+    assert "No tongue" not in words
+    # what is not computed is no disagreement
+    layers = result.charts["instability"]
+    growth = result.charts["instability"].layer("growth").columns["rate"][0]
+    assert np.isnan(layers.layer("disagreement").columns["image"][0][:, growth[0] == 0]).all()
+
+
+def test_shares_are_of_the_computed_part():
+    _, result = solved(SLOW)
+    answer = result.floquet
+    disagree = result.charts["instability"].layer("disagreement").columns["image"][0]
+    columns = disagree.shape[1]
+    low, high = answer.frequency_range
+    centres = low + (np.arange(columns) + 0.5) / columns * (high - low)
+    known = int((centres >= answer.followed_from - 1e-9).sum())
+    assert 0 < known < columns
+    # the share is a whole number of computed pixels
+    pixels = answer.unstable_share * known * disagree.shape[0]
+    assert pixels == pytest.approx(round(pixels), abs=1e-6)
+    assert answer.unstable_share > 0.1
+    words = verdict(answer)
+    assert "Of the computed part of this window" in words
+    assert words.count("To first order, damping holds up to") == 1
+    assert f"yet the map shows growth from β_d = {answer.unstable_from:.3f}" in words
+
+
+def test_growth_too_strong_for_the_map_is_named():
+    """Ten times the buckling load: the map once drew noise there, then blamed slow loads."""
+    strong = {
+        "shear": 0.0,
+        "disk_mass": 20.0,
+        "diametral_inertia": 0.03,
+        "polar_inertia": 0.0,
+        "spin_speed": 1.0,
+        "load_type": "follower",
+        "reference": "flutter",
+        "law": "exact",
+        "largest_factor": 0.8,
+    }
+    _, result = solved(strong, settled="map")
+    assert result.floquet.unknown_share > 0.05
+    words = verdict(result.floquet)
+    assert "grows too much there for its rate to be known" in words
+    _, result = solved({}, settled="map")
+    assert result.floquet.unknown_share == 0
+    assert "blank" not in verdict(result.floquet)
+
+
+def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
+    thin = {"spin_speed": 1, "lowest_frequency": 5, "highest_frequency": 7, "largest_factor": 0.05}
+    for damping, words in ((0.0, "under 0.1 %"), (0.01, "nothing")):
+        for detail in ("map", True):
+            answer = solved(thin | {"external_damping": damping}, detail)[1].floquet
+            assert answer.unstable_share == 0
+            assert f"Of this window {words} is unstable" in verdict(answer)
+
+
+def test_nothing_computed_gives_no_share():
+    small = {"diametral_inertia": 0.01, "spin_speed": 4, "polar_inertia": 6}
+    _, result = solved(small | {"highest_frequency": 0.5}, settled=False)
+    answer = result.floquet
+    assert np.isnan(answer.unstable_share)
+    assert "Of " not in verdict(answer)
+    assert (result.charts["instability"].layer("growth").columns["verdict"][0] == 4).all()
+    image = result.charts["instability"].layer("disagreement").columns["image"][0]
+    assert np.isnan(image).all()
+
+
+def test_inspector_and_verdict_agree_on_a_tongue_that_damping_holds_down():
+    state, result = solved(HELD | {"marker": True, "marker_frequency": 1.987, "marker_factor": 0.2})
+    first = min(result.floquet.table, key=lambda row: row.threshold)
+    threshold = f"{first.threshold / result.floquet.reference_load:.3f}"
+    assert f"damping holds up to β_d = {threshold}; {first.name} goes first" in verdict(
+        result.floquet
+    )
+    sentence = inspect(state, result).sentence
+    assert f"makes a tongue where damping gives way, from β_d = {threshold}" in sentence
+    assert "no tongue" not in sentence
+
+
+def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
+    values = {"external_damping": 0.01, "internal_damping": 0.05, "spin_speed": 3.0}
+    state, result = solved(values | {"marker": True, "marker_frequency": 9.9, "marker_factor": 0.2})
+    assert result.floquet.table.mean_growth > 0
+    sentence = inspect(state, result).sentence
+    assert "grows by itself" in sentence
+    assert "misses" not in sentence
+
+
+def test_a_coarse_map_is_no_measure_of_bolotin():
+    # at rest, follower load: its pixels miss the thin tongues, and Bolotin seemed 750 % too large
+    values = {"spin_speed": 0.0, "load_type": "follower"}
+    words = [verdict(solved(values, settled)[1].floquet) for settled in (False, True)]
+    assert not [one for one in words if "overstating" in one]
+    assert "follow once the sliders rest" in words[0]
+    assert "Of this window" in words[1]
+
+
+def test_what_the_captions_say_of_buckling_and_of_the_resting_rotor():
+    spinning = rs.lumped(rs.BASE_CASE, 2.0)
+    loads = np.array([2.3, 2.4, 3.3, 3.4])
+    whirl = rs.load_frequency_curves(spinning, loads)
+    backward = whirl.frequencies[:, whirl.names.index("1B")]
+    assert (np.sign(backward.real[:3]) == [-1, 1, 1]).all()
+    assert (np.abs(whirl.frequencies.imag).max(axis=1) > 1e-6).tolist() == [False] * 3 + [True]
+    resting = rs.whirl_frequencies(rs.lumped(rs.BASE_CASE, 0.0), loads[:2])
+    assert (np.abs(resting.imag).max(axis=1) > 1e-6).tolist() == [False, True]
+    answer = solved({"spin_speed": 0.0})[1].floquet
+    assert answer.both_share > 0.9 * answer.bolotin_share  # the bands hold
+    assert answer.both_share < 0.8 * answer.unstable_share  # and are not all

@@ -1,0 +1,115 @@
+"""A phone: taps, swipes and sliders under a finger, as touches of the browser's protocol."""
+
+import pytest
+
+from app.results.analysis import CHARTS
+
+pytestmark = pytest.mark.browser
+PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 2}
+
+CHART = """(key) => {
+  const walk = (view) => (view.model.type === "Figure" && view.model.name === key)
+    ? view : [...view.children()].map(walk).find(Boolean);
+  const view = [...Bokeh.index].map(walk).find(Boolean);
+  view.el.scrollIntoView({ block: "center" });
+  const { left, top } = view.el.getBoundingClientRect();
+  const { x, y, width, height } = view.frame.bbox;
+  return [left + x, top + y, width, height];
+}"""
+
+
+@pytest.fixture
+def phone(open_page):
+    """The page at 390 px with touch."""
+    page = open_page(390, 844, **PHONE)
+    # the full picture's sentence is longer, and what stands below it moves
+    page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
+    page.wait_for_timeout(800)  # charts settle into their places and colours
+    page.touches = page.context.new_cdp_session(page)
+    return page
+
+
+def swipe(page, start, end, steps=8):
+    """Move one finger from a point to another."""
+    places = [
+        [a + (b - a) * step / steps for a, b in zip(start, end, strict=True)]
+        for step in range(steps + 1)
+    ]
+    for kind, (x, y) in zip(["touchStart"] + ["touchMove"] * steps, places, strict=True):
+        page.touches.send(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]}
+        )
+        page.wait_for_timeout(16)
+    page.touches.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    page.wait_for_timeout(300)
+
+
+@pytest.mark.parametrize("key", CHARTS)
+def test_a_swipe_over_a_chart_scrolls_the_page(phone, key):
+    x, y, width, height = phone.evaluate(CHART, key)
+    before = phone.evaluate("scrollY")
+    # back up the page: the last chart stands at its end
+    swipe(phone, (x + width / 2, y + 0.2 * height), (x + width / 2, y + 0.8 * height))
+    assert before - phone.evaluate("scrollY") > 0.3 * height
+    # nor does it zoom
+    ranges = phone.evaluate(
+        "(key) => { const walk = (view) => (view.model.name === key && view.model.x_range)"
+        " ? view.model : [...view.children()].map(walk).find(Boolean);"
+        " const { x_range: x, y_range: y } = [...Bokeh.index].map(walk).find(Boolean);"
+        " return [x.start - x.reset_start, y.end - y.reset_end]; }",
+        key,
+    )
+    assert ranges == [0, 0]
+
+
+def test_a_tap_places_the_marker(phone):
+    x, y, width, height = phone.evaluate(CHART, "instability")
+    phone.touchscreen.tap(x + 0.25 * width, y + 0.5 * height)
+    phone.wait_for_function("rotorstab.last.values.marker")
+    values = phone.evaluate("rotorstab.last.values")
+    assert values["marker_frequency"] == pytest.approx(0.25 * 16, abs=0.3)
+    assert values["marker_factor"] == pytest.approx(0.5, abs=0.03)
+    phone.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+    phone.wait_for_function("rotorstab.last.at_rest && Bokeh.documents[0].is_idle")
+
+
+def test_drawer_slider_and_menus_work_under_a_finger(phone):
+    sidebar = phone.locator("#sidebar")
+    phone.get_by_role("button", name="Parameters", exact=True).tap()
+    sidebar.wait_for(state="visible")
+    phone.wait_for_timeout(300)
+    slider = phone.locator("#rs-spin_speed")
+    box = slider.bounding_box()
+    assert box["height"] >= 24
+    y = box["y"] + box["height"] / 2
+    at = [box["x"] + 9 + (box["width"] - 18) * share for share in (0.5, 0.75)]
+    swipe(phone, (at[0], y), (at[1], y))
+    phone.wait_for_function("Math.abs(rotorstab.last.values.spin_speed - 3) < 0.1")
+    # a swipe that only starts on a slider scrolls the drawer
+    before = phone.evaluate(
+        "[rotorstab.last.values.spin_speed, document.querySelector('#sidebar').scrollTop]"
+    )
+    box = slider.bounding_box()
+    swipe(phone, (at[0], box["y"] + 12), (at[0], box["y"] - 200))
+    after = phone.evaluate(
+        "[rotorstab.last.values.spin_speed, document.querySelector('#sidebar').scrollTop]"
+    )
+    assert after[0] == before[0]
+    assert after[1] > before[1] + 50
+    phone.get_by_role("button", name="Close parameters").tap()
+    sidebar.wait_for(state="hidden")
+
+    phone.locator("details.more summary").tap()
+    phone.get_by_role("button", name="As Python").tap()
+    dialog = phone.locator("dialog.code")
+    dialog.wait_for(state="visible")
+    dialog.get_by_role("button", name="Close").tap()
+
+    # a native menu: it has the focus, and nothing lies over it
+    menu = phone.locator("select.export[data-chart=campbell]")
+    menu.scroll_into_view_if_needed()
+    assert menu.bounding_box()["height"] >= 24
+    menu.tap()
+    assert phone.evaluate("document.activeElement.dataset.chart") == "campbell"
+    with phone.expect_download(timeout=60_000):
+        menu.select_option("csv")

@@ -1,0 +1,254 @@
+"""Charts as data, and what HoloViews and Bokeh make of them."""
+
+import math
+import re
+from itertools import combinations
+from pathlib import Path
+
+import holoviews as hv
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from app.live.chart import LiveChart
+from app.results.analysis import CHARTS, solve
+from app.state import PRESETS, State
+from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
+from rotorstab.charts import ROLES
+from rotorstab.charts.instability import _label_tongues
+from rotorstab.charts.structure import Chart, Layer, Lines, around_zero
+from rotorstab.drawing import screen
+
+ASSETS = Path(__file__).parents[2] / "app" / "assets"
+KINDS = {"regions", "lines", "points", "labels", "map"}
+PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
+
+
+def solved(values=None, settled=False):
+    state = State()
+    assert state.change(values or {}) == {}
+    return solve(state, settled).charts
+
+
+def sound(chart):
+    """Check what every chart promises."""
+    assert len({layer.label for layer in chart.layers}) == len(chart.layers)
+    for low, high in (chart.x_range, chart.y_range):
+        assert math.isfinite(low)
+        assert math.isfinite(high)
+        assert low < high
+    for layer in chart.layers:
+        where = chart.key, layer.label
+        assert layer.kind in KINDS, where
+        assert len({len(column) for column in layer.columns.values()}) == 1, where
+        if layer.kind != "map":
+            assert all(layer.columns["name"]), where
+        if layer.kind == "lines":
+            assert set(layer.columns["role"]) <= set(ROLES), where
+            for xs, ys in zip(layer.columns["xs"], layer.columns["ys"], strict=True):
+                assert len(xs) == len(ys) > 1, where
+                assert not np.isinf([xs, ys]).any(), where  # NaN is a gap
+        if layer.kind == "labels":
+            for axis, (low, high) in (("x", chart.x_range), ("y", chart.y_range)):
+                inside = (layer.columns[axis] >= low) & (layer.columns[axis] <= high)
+                assert inside.all(), where
+    return True
+
+
+@pytest.mark.parametrize("stiffness", ["linear", "both"])
+@pytest.mark.parametrize("spin", [0.0, 2.0, 4.0])
+def test_labels_of_limits_stay_inside_and_apart(spin, stiffness):
+    chart = solved({"spin_speed": spin, "stiffness": stiffness})["load-frequency"]
+    labels = chart.layer("mode").columns
+    low, high = chart.x_range
+    rows = [
+        (float(x), float(y), side, len(name))
+        for x, y, name, side in zip(
+            *(labels[key] for key in ("x", "y", "name", "side")), strict=True
+        )
+        if name.partition(",")[0] in ("buckling", "flutter")
+    ]
+    assert rows
+    # a letter takes some 3 % of a phone's chart
+    for x, _, side, letters in rows:
+        if side.endswith("right"):
+            assert x + 0.03 * letters * (high - low) <= high
+    assert len({y for _, y, *_ in rows}) == len(rows)
+
+
+@pytest.mark.parametrize("preset", [*PRESETS, None])
+@pytest.mark.parametrize("settled", [False, True])
+def test_the_charts_of_every_preset_are_sound(preset, settled):
+    found = solved(PRESETS.get(preset, PAST_FLUTTER), settled)
+    assert tuple(found) == CHARTS
+    assert all(sound(chart) for chart in found.values())
+
+
+@settings(max_examples=15)
+@given(
+    st.fixed_dictionaries(
+        {
+            "load_type": st.sampled_from(["axial", "follower", "partly"]),
+            "static_load_factor": st.floats(0, 0.95),
+            "spin_speed": st.floats(0, 4),
+            "shear": st.floats(0, 0.1),
+            "disk_mass": st.floats(0.5, 20),
+            "diametral_inertia": st.floats(0.01, 3),
+            "polar_inertia": st.floats(0, 6),
+            "stiffness": st.sampled_from(["linear", "exact", "both"]),
+            "largest_factor": st.floats(0.05, 2),
+        }
+    )
+)
+def test_the_charts_are_sound_wherever_the_sliders_stand(values):
+    assert all(sound(chart) for chart in solved(values).values())
+
+
+def test_complex_stretches_are_drawn_apart_from_real_ones():
+    loads = np.linspace(0, 3 * float(critical_load(BASE_CASE.shear)), 300)
+    curves = load_frequency_curves(lumped(BASE_CASE, 1.0), loads)
+    lines = Lines()
+    lines.whirl(curves, ("axial", "axial"), "{}")
+    rows = list(zip(*lines.columns.values(), strict=True))
+    assert any(role == "growing" for *_, role in rows)
+    for name, column in zip(curves.names, curves.frequencies.T, strict=True):
+        is_complex = np.abs(column.imag) > 1e-9 * np.abs(column)
+        ((_, real, _, role),) = [row for row in rows if row[2] == name]
+        assert role == "axial"
+        np.testing.assert_array_equal(np.isnan(real), is_complex)
+        np.testing.assert_array_equal(real[~is_complex], column.real[~is_complex])
+        pairs = [row for row in rows if row[2] == f"{name}, growing"]
+        assert len(pairs) == is_complex.any()
+        for _, pair, _, _ in pairs:
+            assert np.isfinite(pair[is_complex]).all()
+            # the two stretches meet, and share no more than that
+            both = np.isfinite(pair) & np.isfinite(real)
+            changes = int(np.abs(np.diff(is_complex.astype(int))).sum())
+            assert 1 <= both.sum() <= changes
+
+
+def test_only_whirls_that_grow_are_drawn_as_growing():
+    calm = solved({"external_damping": 0.05, "spin_speed": 2.0, "load_type": "follower"})
+    assert "growing" not in calm["campbell"].layer("whirl").columns["role"]
+    whirls = calm["load-frequency"].layer("whirl").columns
+    for name, role in zip(whirls["name"], whirls["role"], strict=True):
+        assert role == ("growing" if name.endswith("growing") else name.split(", ")[1])
+    # internal damping drives the forward whirl beyond its critical speed, and no other
+    driven = solved({"external_damping": 0.01, "internal_damping": 0.05})["campbell"]
+    columns = driven.layer("whirl").columns
+    rows = zip(columns["name"], columns["role"], strict=True)
+    assert [name for name, role in rows if role == "growing"] == ["1F, growing"]
+
+
+def test_the_present_values_are_marked():
+    found = solved({"static_load_factor": 0.3, "spin_speed": 1.7})
+    marks = found["load-frequency"].layer("marks").columns
+    static = 0.3 * float(critical_load(BASE_CASE.shear))
+    assert marks["xs"][marks["role"].index("current")] == pytest.approx([static, static])
+    marks = found["campbell"].layer("marks").columns
+    assert marks["xs"][marks["role"].index("current")] == pytest.approx([1.7, 1.7])
+
+
+def test_critical_speeds_lie_on_the_synchronous_lines():
+    points = solved()["campbell"].layer("critical speeds").columns
+    assert len(points["x"])
+    np.testing.assert_allclose(np.abs(points["y"]), points["x"])
+
+
+@given(st.floats(-1e3, 0.0), st.floats(0.0, 1e3))
+def test_a_range_around_zero_holds_its_ends_with_room(least, largest):
+    low, high = around_zero(least, largest)
+    assert 1.08 * least - 2 <= low < least or low == -0.5
+    assert largest < high <= 1.08 * largest + 2
+
+
+def test_roles_differ_by_more_than_colour():
+    for group in (
+        ("backward", "forward"),
+        ("axial", "follower", "axial exact", "follower exact", "growing"),
+        ("axial", "partly", "follower", "growing", "partly exact", "axial exact"),
+        ("backward", "forward", "growing", "synchronous"),
+        ("exact", "linear"),
+    ):
+        assert len({(ROLES[name].dash) for name in group}) == len(group), group
+
+
+@pytest.mark.parametrize("key", CHARTS)
+def test_what_holoviews_draws_is_the_charts_own_data(key):
+    chart = solved()[key]
+    overlay = screen.element(chart)
+    assert isinstance(overlay, hv.Overlay)
+    assert [element.label for element in overlay] == [layer.label for layer in chart.layers]
+    assert (overlay.opts["xlabel"], overlay.opts["ylabel"]) == (chart.x_label, chart.y_label)
+    for layer, element in zip(chart.layers, overlay, strict=True):
+        if layer.kind == "lines":
+            paths = element.split(datatype="columns")
+            for path, xs, ys in zip(paths, layer.columns["xs"], layer.columns["ys"], strict=True):
+                np.testing.assert_array_equal(path["x"], xs)
+                np.testing.assert_array_equal(path["y"], ys)
+        elif layer.kind in ("points", "labels"):
+            np.testing.assert_array_equal(element.dimension_values("x"), layer.columns["x"])
+            np.testing.assert_array_equal(element.dimension_values("y"), layer.columns["y"])
+
+
+@pytest.mark.parametrize("key", CHARTS)
+def test_a_patched_chart_equals_one_built_anew(key):
+    """What is patched has no column fewer, and no other order, than HoloViews' first drawing."""
+    one, other = solved()[key], solved(PAST_FLUTTER)[key]
+    patched, built = LiveChart(one), LiveChart(other)
+    patched.show(other)
+    for label, source in built.sources.items():
+        got = patched.sources[label].data
+        assert list(got) == list(source.data), label
+        for name, column in source.data.items():
+            np.testing.assert_equal(got[name], column, err_msg=f"{label} {name}")
+    for axis in ("x_range", "y_range"):
+        assert getattr(patched.figure, axis).start == getattr(built.figure, axis).start
+        assert getattr(patched.figure, axis).end == getattr(built.figure, axis).end
+
+
+def test_the_legend_of_the_map_shows_the_colours_of_the_map():
+    """Growth lies over the shading, so that its colours are those of the colour bar everywhere."""
+    labels = [layer.label for layer in solve(State()).charts["instability"].layers]
+    assert labels[:3] == ["disagreement", "growth", "Bolotin region"]
+    css = (ASSETS / "page.css").read_text(encoding="utf-8")
+    (stops,) = re.findall(r"--growth: linear-gradient\(to right, ([^)]*)\)", css)
+    palette = screen._GROWTH_COLOURS
+    places = [0, len(palette) // 3, 2 * len(palette) // 3, -1]
+    assert stops.split(", ") == [palette[place] for place in places]
+    over, under = (f"{colour}66" for colour in screen._DISAGREEMENT_COLOURS)  # 0x66 is 40 %
+    assert f".swatch.over {{ background: {over}; }}" in css
+    assert f'[data-show_growth="false"] .swatch.under {{ background: {under}; }}' in css
+
+
+def test_ticks_of_a_large_orbit_are_few_and_short():
+    circle = np.exp(1j * np.linspace(0, 7, 50)) * 8e7
+    lines = Lines()
+    lines.add(circle.real, circle.imag, "path", "orbit")
+    reach = (-1e8, 1e8)
+    layers = (Layer("lines", "orbit", lines.columns),)
+    chart = Chart("orbit", "", "V", "W", reach, reach, layers, square=True)
+    for axis in hv.render(screen.element(chart), backend="bokeh").axis:
+        assert axis.ticker.desired_num_ticks <= 4
+        assert "toExponential" in axis.formatter.code
+
+
+# below the normal numbers a share of the window rounds to 0
+@given(
+    st.lists(st.floats(0.0, 12.0, allow_subnormal=False), max_size=8),
+    st.floats(0.0, 3.0, allow_subnormal=False),
+    st.floats(5.0, 14.0),
+)
+def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high):
+    rows = _label_tongues([(x, "1B+1F") for x in places], (low, high), 1.0)
+    assert len(rows) == sum(low <= x <= high for x in places)
+    spans = []
+    for x, y, _, side in rows:
+        share = (x - low) / (high - low)
+        start, end = (share, share + 0.2) if side == "right" else (share - 0.2, share)
+        assert start >= 0
+        assert end <= 1 + 1e-12
+        spans.append((start, end, y))
+    for (a, b, y), (c, d, z) in combinations(spans, 2):
+        assert min(b, d) - max(a, c) < 1e-9 or abs(y - z) > 0.03

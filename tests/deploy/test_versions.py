@@ -1,0 +1,78 @@
+"""Libraries whose inner parts are patched: bounded, and words where one is not what it was."""
+
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+
+from deploy.patches import patching
+from deploy.patches.versions import PATCHED, unknown
+from tests.testing.serving import free_port
+
+ROOT = Path(__file__).parents[2]
+REQUIRED = tomllib.loads(ROOT.joinpath("pyproject.toml").read_text("utf-8"))["project"][
+    "optional-dependencies"
+]["app"]
+
+
+def test_each_library_that_is_patched_has_a_floor_and_a_ceiling():
+    bounds = {one.name: str(one.specifier) for one in map(Requirement, REQUIRED)}
+    for name in {*PATCHED, *patching.PATCHED}:
+        assert ">=" in bounds[name]
+        assert "<" in bounds[name].replace(">=", "")
+
+
+def test_a_version_beyond_the_bounds_is_told():
+    def next_year(name):
+        return "99.0"
+
+    words = unknown(REQUIRED, next_year)
+    assert len(words) == len(PATCHED)
+    assert any("panel 99.0 (made for <1.11,>=1.9.0)" in one for one in words)
+    assert unknown(REQUIRED, floor) == []
+    assert unknown([], next_year) == []
+
+
+def floor(name):
+    """The lowest version that is allowed."""
+    (found,) = (one for one in map(Requirement, REQUIRED) if one.name == name)
+    return next(one.version for one in found.specifier if one.operator == ">=")
+
+
+MOVED = """
+import runpy, sys
+import {module} as module
+del module.{name}
+sys.argv = ["deploy/worker.py", {app!r}]
+runpy.run_module("deploy.worker", run_name="__main__")
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [
+        ("bokeh.server.views.ws", "WSHandler._receive"),  # is replaced
+        ("panel.io.location", "_get_location_params"),  # is called by what replaces it
+        ("panel.models.esm", "ReactiveESM"),  # is imported
+    ],
+)
+def test_a_server_that_cannot_be_hardened_does_not_start(tmp_path, module, name):
+    app = tmp_path / "app.py"
+    app.write_text("")
+    done = subprocess.run(
+        [sys.executable, "-c", MOVED.format(module=module, name=name, app=str(app))],
+        cwd=ROOT,
+        env=os.environ | {"PORT": str(free_port()), "BOKEH_SECRET_KEY": "x" * 40},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 2
+    (line,) = done.stderr.splitlines()
+    assert line.startswith("rotorstab: cannot harden this server, panel ")
+    assert name.rpartition(".")[2] in line
