@@ -6,7 +6,8 @@ import math
 import reprlib
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+
+from ._types import Array, ArrayLike
 
 __all__ = ["LARGEST", "choice", "extra_is_missing", "number", "numbers", "series", "whole_number"]
 
@@ -46,7 +47,7 @@ def numbers(
     *,
     open_low: bool = False,
     open_high: bool = False,
-) -> NDArray[np.float64]:
+) -> Array:
     """Return `value` as a float array whose every entry is finite and inside the interval.
 
     Raises
@@ -91,7 +92,7 @@ def number(
     return float(array)
 
 
-def series(name: str, value: ArrayLike, low: float = -math.inf) -> NDArray[np.float64]:
+def series(name: str, value: ArrayLike, low: float = -math.inf) -> Array:
     """Return `value` as a checked one-dimensional array, which may be empty."""
     array = numbers(name, value, low)
     if array.ndim != 1:

@@ -6,28 +6,19 @@ two real quadratics: all arithmetic is real, and complex roots are exact conjuga
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["REAL", "is_real", "quadratic_roots", "quartic_roots"]
+from .._tolerances import DOUBLE_ROOT, NEGLIGIBLE, REAL
+from .._types import AnyArray, Array, ArrayLike, Complex, Mask
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-Mask = NDArray[np.bool_]
+__all__ = ["is_real", "quadratic_roots", "quartic_roots"]
 
-REAL = 1e-7
-"""|Im|/|root| below which a root counts as real: rounding parts a double root by up to this."""
-
-_NOTHING = 1e-12  # of the largest root: what is smaller is rounding
 _TINY = 1e-300  # against 0/0 where the numerator is 0 too
-_DOUBLE = 1e-15  # a discriminant below 0 by less, relative to its terms, is a double root
 _STEPS = 3
 _SAFE = 1e-3
 
 
-def is_real(roots: NDArray[Any]) -> Mask:
+def is_real(roots: AnyArray) -> Mask:
     """Tell which of the roots (..., k) of a polynomial or matrix are real, but for rounding.
 
     Examples
@@ -37,7 +28,7 @@ def is_real(roots: NDArray[Any]) -> Mask:
     """
     size = np.abs(roots)
     largest = size.max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(size))
-    return np.asarray(np.abs(np.imag(roots)) <= REAL * size + _NOTHING * largest)
+    return np.asarray(np.abs(np.imag(roots)) <= REAL * size + NEGLIGIBLE * largest)
 
 
 def _roots_of_factors(b: Array, c: Array) -> Complex:
@@ -49,7 +40,7 @@ def _roots_of_factors(b: Array, c: Array) -> Complex:
     outer = half + np.copysign(root, half)
     # the other root from the product: no cancellation
     inner = c / (outer + (outer == 0))
-    pair = discriminant < -_DOUBLE * square
+    pair = discriminant < -DOUBLE_ROOT * square
     count = len(b)
     roots = np.zeros((*b.shape[1:], 2 * count), np.complex128)
     if pair.any():

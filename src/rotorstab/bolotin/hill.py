@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import choice, numbers, whole_number
 from .._numerics.quartic import is_real
+from .._tolerances import MASSLESS
+from .._types import AnyArray, Array, ArrayLike
 from ..model.system import System
 
 __all__ = ["hill_boundary_frequencies"]
-
-Array = NDArray[np.float64]
 
 
 def hill_boundary_frequencies(
@@ -99,9 +96,9 @@ def hill_boundary_frequencies(
 
 
 def _positive_roots(
-    stiffness: NDArray[Any],
-    spin: NDArray[Any],
-    mass: NDArray[Any],
+    stiffness: AnyArray,
+    spin: AnyArray,
+    mass: AnyArray,
     count: int,
     scale: float,
 ) -> Array:
@@ -116,6 +113,6 @@ def _positive_roots(
     inverse = np.linalg.eigvals(companion)
     largest = np.abs(inverse).max(axis=-1, keepdims=True)
     # the mean term of period T has no inertia here: its roots are 0 to rounding
-    real = is_real(inverse) & (inverse.real > 1e-6 * largest)
+    real = is_real(inverse) & (inverse.real > MASSLESS * largest)
     theta = np.where(real, scale / np.where(real, inverse.real, 1.0), np.nan)
     return np.asarray(np.sort(theta, axis=-1)[..., :count])

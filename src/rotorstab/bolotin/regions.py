@@ -16,10 +16,11 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import number, numbers, series, whole_number
 from .._numerics.quartic import is_real, quadratic_roots, quartic_roots
+from .._tolerances import CLOSE_SQUARES, SAME_START
+from .._types import AnyArray, Array, ArrayLike, Complex, Index, Mask
 from ..model.system import System
 from ..whirl.frequencies import (
     eigenvalues,
@@ -38,10 +39,6 @@ __all__ = [
     "boundary_frequencies",
     "in_bolotin_region",
 ]
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-AnyArray = NDArray[np.float64] | NDArray[np.complex128]
 
 _GRADING = np.linspace(0.0, 1.0, 17)[1:-1] ** 2
 _PARTS = np.linspace(0.0, 1.0, 257)
@@ -109,7 +106,7 @@ def _lumped_squares(system: System, mean: Array, slope: Array, y: Array) -> Comp
     )
     # coefficients hold only half the digits of roots that nearly meet; matrices hold them all
     lower, upper = squares.real[..., :-1], squares.real[..., 1:]
-    close = upper - lower < 1e-4 * np.abs(upper)
+    close = upper - lower < CLOSE_SQUARES * np.abs(upper)
     if close.any():
         near = close.any(axis=-1)
         parts = mean - y[..., None, None] * slope, mean + y[..., None, None] * slope
@@ -216,7 +213,7 @@ def in_bolotin_region(
     static_load: ArrayLike,
     pulsating_load: ArrayLike,
     excitation_frequency: ArrayLike,
-) -> NDArray[np.bool_]:
+) -> Mask:
     """Return whether a point lies in a Bolotin region, P(λ) < 0.
 
     Parameters
@@ -267,7 +264,7 @@ def bolotin_mask(
     static_load: float,
     pulsating_loads: ArrayLike,
     excitation_frequencies: ArrayLike,
-) -> NDArray[np.bool_]:
+) -> Mask:
     """Return which points of a grid lie in a Bolotin region, from the boundaries of each row.
 
     Parameters
@@ -304,7 +301,7 @@ def bolotin_mask(
     return np.asarray(passed % 2 == 1)
 
 
-def _status(squares: Complex) -> NDArray[np.int64]:
+def _status(squares: Complex) -> Index:
     """Return per row how many λ are real, and how many of those are positive, in one code."""
     values = _real(squares)
     if values.min() > 0:  # not so with a NaN
@@ -363,7 +360,7 @@ def _polygons(loads: Array, values: Array) -> tuple[Array, ...]:
     return tuple(polygons)
 
 
-def _forward(system: System, static: Array, squares: Array) -> NDArray[np.bool_]:
+def _forward(system: System, static: Array, squares: Array) -> Mask:
     """Return whether each λ (4,) of a spinning lumped rotor at p̄_t = 0 is a forward whirl's.
 
     There (24) splits in two; with ω² = λ it is D + ωΩ̄Ī_P a = 0, which gives ω its sign.
@@ -392,7 +389,9 @@ def _boundary_names(system: System, static: Array, squares: Complex) -> tuple[st
     starts = (frequencies**2).real.tolist()
     scale = max(map(abs, starts))
     # 1B before 1F where both start from one point: the left boundary is the backward one
-    labels = zip((round(x / scale, 9) for x in starts), mode_names(system.size), strict=True)
+    labels = zip(
+        (round(x / scale, SAME_START) for x in starts), mode_names(system.size), strict=True
+    )
     # just above p̄_t = 0, where columns that start together have parted
     columns = np.argsort(squares[1].real, kind="stable").tolist()
     named = {column: name for column, (_, name) in zip(columns, sorted(labels), strict=True)}

@@ -5,18 +5,16 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eigh
 
 from .._arguments import LARGEST, number, numbers, whole_number
+from .._types import ArrayLike
 from ..rotors.shaft_disk import ShaftDisk
 from .reduction import reduction_basis
 from .system import System, fundamental_frequency
 from .timoshenko import rotor_matrices
 
 __all__ = ["finite_element", "first_modes"]
-
-Array = NDArray[np.float64]
 
 _MOST_ELEMENTS = 200
 

@@ -7,13 +7,12 @@ In these coordinates R is real without damping, its eigenvalues are the whirl fr
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import numbers
 from .._numerics.quartic import is_real
+from .._types import AnyArray, Array, ArrayLike, Mask
 from .system import System
 
 __all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
@@ -36,13 +35,13 @@ class ModalBasis:
         V, columns in the order of `frequencies`, and V⁻¹.
     """
 
-    load: NDArray[np.float64]
-    frequencies: NDArray[Any]
-    vectors: NDArray[Any]
-    inverse: NDArray[Any]
+    load: Array
+    frequencies: AnyArray
+    vectors: AnyArray
+    inverse: AnyArray
 
 
-def state_matrix(system: System, stiffness: ArrayLike) -> NDArray[Any]:
+def state_matrix(system: System, stiffness: ArrayLike) -> AnyArray:
     """Return R = [[0, I], [M⁻¹K, jM⁻¹D]] of z' = jRz, z = (q, −jq̇).
 
     Parameters
@@ -56,7 +55,7 @@ def state_matrix(system: System, stiffness: ArrayLike) -> NDArray[Any]:
     (..., 2n, 2n) float, or complex with damping
     """
     n = system.size
-    rate: NDArray[Any] = system.spin_matrix()
+    rate: AnyArray = system.spin_matrix()
     if system.is_damped:
         rate = 1j * system.damping()
     lower_left, lower_right = np.broadcast_arrays(
@@ -105,7 +104,7 @@ def modal_basis(system: System, load: ArrayLike, stiffness: ArrayLike | None = N
     return ModalBasis(np.broadcast_to(load, values.shape[:-1]), values, vectors, inverse)
 
 
-def _is_good(basis: ModalBasis, damped: bool) -> NDArray[np.bool_]:
+def _is_good(basis: ModalBasis, damped: bool) -> Mask:
     """Tell where V is well conditioned and, undamped, every frequency is real."""
     norms = np.linalg.norm(basis.vectors, axis=(-2, -1)) * np.linalg.norm(
         basis.inverse, axis=(-2, -1)

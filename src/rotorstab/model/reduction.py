@@ -9,15 +9,13 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import eigvalsh
 
+from .._types import Array
 from ..rotors.shaft_disk import ShaftDisk
 from .timoshenko import rotor_matrices, shaft_matrices
 
 __all__ = ["reduction_basis"]
-
-Array = NDArray[np.float64]
 
 _RESPONSES = np.linspace(0.0, 1.0, 5)
 _RESPONSE_LOAD = 2.0  # ± this many buckling loads

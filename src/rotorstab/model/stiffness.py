@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import numbers
+from .._types import Array, ArrayLike
 
 __all__ = [
     "DIGITS",
@@ -27,8 +27,6 @@ __all__ = [
     "refuse_peaks",
     "refuse_poles",
 ]
-
-Array = NDArray[np.float64]
 
 _POLES = 4 * np.pi**2, 4 * 4.493409457909064**2
 """The two lowest poles of the exact coefficients in x: k = 2π, and tan(k/2) = k/2."""

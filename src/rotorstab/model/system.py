@@ -6,9 +6,9 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import LARGEST, choice, number, numbers
+from .._types import AnyArray, Array, ArrayLike, Complex
 from ..rotors.shaft_disk import ShaftDisk
 from .stiffness import (
     NEAR_POLE,
@@ -21,8 +21,6 @@ from .stiffness import (
 )
 
 __all__ = ["System", "fundamental_frequency", "lumped"]
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +105,7 @@ class System:
         """Return Ω̄ H (..., n, n): jD of the undamped system, real."""
         return self.spin_speed[..., None, None] * self.gyroscopic
 
-    def damping(self) -> NDArray[np.complex128]:
+    def damping(self) -> Complex:
         """Return D (..., n, n)."""
         return self.external_damping + self.internal_damping - 1j * self.spin_matrix()
 
@@ -128,7 +126,7 @@ class System:
             return exact_stiffness(load, self.exact_shear, self.tangency)
         return self.elastic + load[..., None, None] * self.geometric
 
-    def stiffness(self, load: ArrayLike) -> NDArray[np.float64] | NDArray[np.complex128]:
+    def stiffness(self, load: ArrayLike) -> AnyArray:
         """Return K(p̄), the stiffness that multiplies q, rotating damping included.
 
         Parameters

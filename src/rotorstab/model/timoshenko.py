@@ -9,13 +9,11 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..rotors.shaft_disk import ShaftDisk
 
 __all__ = ["rotor_matrices", "shaft_matrices"]
-
-Array = NDArray[np.float64]
 
 
 def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array, Array]:

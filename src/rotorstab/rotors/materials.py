@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from .._arguments import number
+from .._tolerances import NEGLIGIBLE
 
 __all__ = ["MATERIALS", "Material", "material_named", "shear_coefficient"]
 
@@ -47,7 +48,7 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
     youngs_modulus = number("youngs_modulus", youngs_modulus, 0.0, open_low=True)
     shear_modulus = number("shear_modulus", shear_modulus, 0.0, open_low=True)
     ratio = youngs_modulus / (2 * shear_modulus)  # 1 + ν
-    if not 0 < ratio <= 1.5 * (1 + 1e-12):
+    if not 0 < ratio <= 1.5 * (1 + NEGLIGIBLE):
         raise ValueError(
             "`youngs_modulus` must be at most 3 `shear_modulus`, "
             f"got {youngs_modulus:g} and {shear_modulus:g}"

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from .._arguments import number, numbers
+from .._tolerances import COALESCED
+from .._types import Array, ArrayLike
 from ..model.finite_element import finite_element
 from ..model.stiffness import largest_exact_load
 from ..model.system import System
@@ -18,10 +19,9 @@ from .frequencies import one_speed, whirl_frequencies
 __all__ = ["beck_load", "critical_load", "flutter_load"]
 
 _STEPS = (400, 128, 128, 128, 64)  # 7e-10 of the range in all
-_NOISE = 1e-6  # a double root is known to about 1e-8 only
 
 
-def critical_load(shear: ArrayLike) -> NDArray[np.float64]:
+def critical_load(shear: ArrayLike) -> Array:
     """Return the static buckling load of the axially loaded cantilever shaft.
 
     p̄_cr = (π²/4)/(1 + Φπ²/4), the first zero of det K of Appendix A.
@@ -94,8 +94,8 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
         loads = np.linspace(low, high, steps + 1)
         frequencies = whirl_frequencies(system, loads)
         growth, whirl = np.abs(frequencies.imag), np.abs(frequencies.real)
-        away = whirl > _NOISE * whirl.max(axis=-1, keepdims=True)
-        found = np.flatnonzero((away & (growth > _NOISE * whirl)).any(axis=-1))
+        away = whirl > COALESCED * whirl.max(axis=-1, keepdims=True)
+        found = np.flatnonzero((away & (growth > COALESCED * whirl)).any(axis=-1))
         if not found.size:
             return float("inf")
         first = int(found[0])

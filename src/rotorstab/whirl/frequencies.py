@@ -11,12 +11,13 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eigvals
 from scipy.optimize import linear_sum_assignment
 
 from .._arguments import LARGEST, number, numbers, series
 from .._numerics.quartic import is_real, quartic_roots
+from .._tolerances import NEGLIGIBLE
+from .._types import Array, ArrayLike, Complex
 from ..model.modal import mode_names as ranked_names
 from ..model.system import System
 
@@ -33,11 +34,7 @@ __all__ = [
     "whirl_frequencies",
 ]
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-
 _LOADS, _DAMPINGS = 48, 160  # steps in which a spectrum is followed to be named
-_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,7 +252,7 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
         rows.insert(0, whirl_frequencies(rising, 0.0))
     found = track(np.concatenate(rows))[-1]
     # what is far below the fastest whirl is rounding
-    small = _ROUNDING * np.abs(found).max()
+    small = NEGLIGIBLE * np.abs(found).max()
     found.real[np.abs(found.real) <= small] = 0.0
     found.imag[np.abs(found.imag) <= small] = 0.0
     return np.asarray(found)
@@ -370,7 +367,7 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
             size = np.abs(inverse_squares)
             real = is_real(inverse_squares)
         squares = inverse_squares.real[
-            real & (inverse_squares.real > 1e-12 * size[np.isfinite(size)].max(initial=0.0))
+            real & (inverse_squares.real > NEGLIGIBLE * size[np.isfinite(size)].max(initial=0.0))
         ]
         return np.sort(1 / np.sqrt(squares))
 
