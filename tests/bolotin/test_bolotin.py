@@ -402,7 +402,7 @@ def test_bad_numbers_are_refused(bad):
         (lambda s: rs.bolotin_chart(s, [0.0], 1.0), "`static_load` must be a single number"),
         (
             lambda s: rs.bolotin_chart(s.at_speed([1.0, 2.0]), 0.0, 1.0),
-            r"`system` must have a single spin speed, .*\(2,\)",
+            r"`system` must have one spin speed, .*\(2,\)",
         ),
         (
             lambda s: rs.in_bolotin_region(s, 0.0, 0.0, -1.0),

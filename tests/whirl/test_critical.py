@@ -85,7 +85,7 @@ def test_spin_makes_an_axially_loaded_rotor_flutter_past_buckling():
     ("system", "largest", "message"),
     [
         (rs.lumped(BASE, 0.0, external_damping=0.1), None, "`system` must be undamped"),
-        (rs.lumped(BASE, [0.0, 1.0]), None, r"`system` must have a single spin speed, .*\(2,\)"),
+        (rs.lumped(BASE, [0.0, 1.0]), None, r"`system` must have one spin speed, .*\(2,\)"),
         (rs.lumped(BASE, 0.0), -1.0, r"`largest_load` must be in \(0, inf\), got -1"),
         (rs.lumped(BASE, 0.0), np.nan, r"`largest_load` must be in \(0, inf\), got nan"),
         (rs.lumped(BASE, 0.0), True, r"`largest_load` must be a real number"),

@@ -268,7 +268,7 @@ def test_shapes_that_make_no_curve_are_refused():
         rs.load_frequency_curves(rs.lumped(BASE, 1.0), [[0.0], [1.0]])
     with pytest.raises(ValueError, match=r"`spin_speeds` must be one-dimensional, .*\(\)"):
         rs.campbell_diagram(rs.lumped(BASE, 1.0), 1.0)
-    with pytest.raises(ValueError, match=r"`system` must have a single spin speed, .*\(3,\)"):
+    with pytest.raises(ValueError, match=r"`system` must have one spin speed, .*\(3,\)"):
         rs.load_frequency_curves(rs.lumped(BASE, [0.0, 1.0, 2.0]), [0.0, 1.0])
     with pytest.raises(ValueError, match=r"`load` must be a single number, .*\(2,\)"):
         rs.critical_speeds(rs.lumped(BASE, 1.0), [0.0, 1.0])

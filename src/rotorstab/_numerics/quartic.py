@@ -8,27 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._tolerances import DOUBLE_ROOT, NEGLIGIBLE, REAL
-from .._types import AnyArray, Array, ArrayLike, Complex, Mask
+from .._tolerances import DOUBLE_ROOT
+from .._types import Array, ArrayLike, Complex, Mask
 
-__all__ = ["is_real", "quadratic_roots", "quartic_roots"]
+__all__ = ["quadratic_roots", "quartic_roots"]
 
 _TINY = 1e-300  # against 0/0 where the numerator is 0 too
 _STEPS = 3
 _SAFE = 1e-3
-
-
-def is_real(roots: AnyArray) -> Mask:
-    """Tell which of the roots (..., k) of a polynomial or matrix are real, but for rounding.
-
-    Examples
-    --------
-    >>> is_real(np.array([2 + 1e-9j, 2 - 1e-9j, 1j, 1e-14j])).tolist()
-    [True, True, False, True]
-    """
-    size = np.abs(roots)
-    largest = size.max(axis=-1, keepdims=True, initial=0.0, where=np.isfinite(size))
-    return np.asarray(np.abs(np.imag(roots)) <= REAL * size + NEGLIGIBLE * largest)
 
 
 def _roots_of_factors(b: Array, c: Array) -> Complex:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from .._arguments import choice, numbers, whole_number
-from .._numerics.quartic import is_real
+from .._numerics.companion import companion_matrix
+from .._numerics.roots import is_real
 from .._tolerances import MASSLESS
 from .._types import AnyArray, Array, ArrayLike
 from ..model.system import System
@@ -103,14 +104,8 @@ def _positive_roots(
     scale: float,
 ) -> Array:
     """Return scale/u of the positive real roots u of det(K u² + G u − M), rising, NaN after."""
-    size = mass.shape[0]
-    companion = np.zeros(
-        (*stiffness.shape[:-2], 2 * size, 2 * size), dtype=np.result_type(stiffness, spin)
-    )
-    companion[..., :size, size:] = np.eye(size)
-    companion[..., size:, :size] = np.linalg.solve(stiffness, np.broadcast_to(mass, spin.shape))
-    companion[..., size:, size:] = -np.linalg.solve(stiffness, spin)
-    inverse = np.linalg.eigvals(companion)
+    constant = np.linalg.solve(stiffness, np.broadcast_to(mass, spin.shape))
+    inverse = np.linalg.eigvals(companion_matrix(constant, -np.linalg.solve(stiffness, spin)))
     largest = np.abs(inverse).max(axis=-1, keepdims=True)
     # the mean term of period T has no inertia here: its roots are 0 to rounding
     real = is_real(inverse) & (inverse.real > MASSLESS * largest)

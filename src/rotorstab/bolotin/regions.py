@@ -18,17 +18,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._arguments import number, numbers, series, whole_number
-from .._numerics.quartic import is_real, quadratic_roots, quartic_roots
+from .._numerics.quartic import quadratic_roots, quartic_roots
+from .._numerics.roots import is_real
 from .._tolerances import CLOSE_SQUARES, SAME_START
 from .._types import AnyArray, Array, ArrayLike, Complex, Index, Mask
-from ..model.system import System
+from ..model.system import System, single_speed
 from ..whirl.frequencies import (
     eigenvalues,
     entries,
     load_frequency_curves,
     mixed,
     mode_names,
-    one_speed,
     track,
 )
 
@@ -431,7 +431,7 @@ def bolotin_chart(
     ('1B', '1F', '2B', '2F')
     """
     static = np.array(number("static_load", static_load))
-    one_speed(system)
+    single_speed(system)
     largest = number("largest_pulsating_load", largest_pulsating_load, 0.0, open_low=True)
     loads, squares = _rows(system, static, largest, whole_number("rows", rows, 8, 100_000))
     names = _boundary_names(system, static, squares)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .._numerics.quartic import is_real
+from .._numerics.roots import is_real
 from ..whirl.frequencies import WhirlCurves
 
 __all__ = [

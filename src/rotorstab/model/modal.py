@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._arguments import numbers
-from .._numerics.quartic import is_real
+from .._numerics.companion import companion_matrix
+from .._numerics.roots import is_real
 from .._types import AnyArray, Array, ArrayLike, Mask
 from .system import System
 
@@ -54,19 +55,9 @@ def state_matrix(system: System, stiffness: ArrayLike) -> AnyArray:
     -------
     (..., 2n, 2n) float, or complex with damping
     """
-    n = system.size
-    rate: AnyArray = system.spin_matrix()
-    if system.is_damped:
-        rate = 1j * system.damping()
-    lower_left, lower_right = np.broadcast_arrays(
-        np.linalg.solve(system.mass, np.asarray(stiffness)), np.linalg.solve(system.mass, rate)
-    )
-    shape = (*lower_left.shape[:-2], 2 * n, 2 * n)
-    matrix = np.zeros(shape, dtype=np.result_type(lower_left, lower_right))
-    matrix[..., :n, n:] = np.eye(n)
-    matrix[..., n:, :n] = lower_left
-    matrix[..., n:, n:] = lower_right
-    return matrix
+    rate = 1j * system.damping() if system.is_damped else system.spin_matrix()
+    inverse = np.linalg.inv(system.mass)
+    return companion_matrix(inverse @ np.asarray(stiffness), inverse @ rate)
 
 
 def modal_basis(system: System, load: ArrayLike, stiffness: ArrayLike | None = None) -> ModalBasis:

@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.linalg import eigvalsh
 
+from .._numerics.companion import companion_matrix
 from .._types import Array
 from ..rotors.shaft_disk import ShaftDisk
 from .timoshenko import rotor_matrices, shaft_matrices
@@ -75,15 +76,15 @@ def _whirl_shapes(mass: Array, gyroscopic: Array, elastic: Array, load: Array, m
     buckling = _buckling_load(elastic, load)
     geometric = load.copy()
     geometric[0, 1] += mu
-    state = np.zeros((2 * n, 2 * n))
-    state[:n, n:] = np.eye(n)
     shapes = []
     for share in _MODE_LOADS:
         for speed in _MODE_SPEEDS:
-            # ω²M q = ω Ω̄H q + K q with the state (q, ω q)
-            sides = np.hstack([elastic + share * buckling * geometric, speed * gyroscopic])
-            state[n:] = np.linalg.solve(mass, sides)
-            frequencies, right = np.linalg.eig(state)
+            # ω²M q = K q + ω Ω̄H q with the state (q, ω q)
+            stiffness = elastic + share * buckling * geometric
+            constant, linear = (
+                np.linalg.solve(mass, part) for part in (stiffness, speed * gyroscopic)
+            )
+            frequencies, right = np.linalg.eig(companion_matrix(constant, linear))
             left = np.linalg.solve(mass, np.linalg.inv(right)[:, n:].T)
             order = np.argsort(np.abs(frequencies))
             forward = frequencies.real[order] >= 0

@@ -20,7 +20,7 @@ from .stiffness import (
     refuse_peaks,
 )
 
-__all__ = ["System", "fundamental_frequency", "lumped"]
+__all__ = ["System", "fundamental_frequency", "lumped", "single_speed"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +182,29 @@ class System:
         harmonics = exact_harmonics(*loads, self.tangency, count)
         harmonics[..., 1, 1] += pole_harmonics(*loads, count)
         return list(harmonics)
+
+
+def single_speed(system: System) -> float:
+    """Return the spin speed of a system; refuse a system that has several, or none.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    float
+        Ω̄ [√(EI/(ρAL⁴))].
+
+    Raises
+    ------
+    ValueError
+        If the spin speed is an array.
+    """
+    if system.spin_speed.ndim:
+        shape = system.spin_speed.shape
+        raise ValueError(f"`system` must have one spin speed, got an array of shape {shape}")
+    return float(system.spin_speed)
 
 
 def fundamental_frequency(system: System) -> float:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .._numerics.quartic import is_real
+from .._numerics.roots import is_real
 from ..floquet.resonance import resonances
 from ..model.system import System, lumped
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk

@@ -7,14 +7,15 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from .._arguments import number, numbers
+from .._arguments import number, numbers, whole_number
+from .._numerics.extrapolation import extrapolation_weights
 from .._tolerances import COALESCED
 from .._types import Array, ArrayLike
 from ..model.finite_element import finite_element
 from ..model.stiffness import largest_exact_load
-from ..model.system import System
+from ..model.system import System, single_speed
 from ..rotors.shaft_disk import ShaftDisk
-from .frequencies import one_speed, whirl_frequencies
+from .frequencies import whirl_frequencies
 
 __all__ = ["beck_load", "critical_load", "flutter_load"]
 
@@ -84,7 +85,7 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
     """
     if system.is_damped:
         raise ValueError("`system` must be undamped for a coalescence, got a damped one")
-    one_speed(system)
+    single_speed(system)
     if largest_load is None:
         pole = float(largest_exact_load(system.exact_shear or 0.0))
         largest_load = pole * (1 - 1e-9)
@@ -162,12 +163,11 @@ def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
     >>> round(beck_load(0.0, 0.0), 4), round(beck_load(0.0192, 0.08), 4)
     (20.051, 12.302)
     """
-    count = number("elements", elements, 8, 200)
+    count = whole_number("elements", elements, 8, 200)
     if count % 4:
         raise ValueError(f"`elements` must be a multiple of 4 in [8, 200], got {elements!r}")
     shaft = ShaftDisk(shear, 0.0, 0.0, 0.0, slenderness)
-    coarse, medium, fine = (_beck_load_on_mesh(shaft, int(count) // part) for part in (4, 2, 1))
-    if not np.isfinite(coarse + medium + fine):
+    loads = np.array([_beck_load_on_mesh(shaft, count // part) for part in (4, 2, 1)])
+    if not np.isfinite(loads).all():
         return float("inf")
-    lower, higher = (4 * medium - coarse) / 3, (4 * fine - medium) / 3
-    return (16 * higher - lower) / 15
+    return float(extrapolation_weights((1, 2, 4), order=2) @ loads)

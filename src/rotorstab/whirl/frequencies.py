@@ -15,11 +15,13 @@ from scipy.linalg import eigvals
 from scipy.optimize import linear_sum_assignment
 
 from .._arguments import LARGEST, number, numbers, series
-from .._numerics.quartic import is_real, quartic_roots
+from .._numerics.quartic import quartic_roots
+from .._numerics.roots import is_real
 from .._tolerances import NEGLIGIBLE
 from .._types import Array, ArrayLike, Complex
 from ..model.modal import mode_names as ranked_names
-from ..model.system import System
+from ..model.modal import state_matrix
+from ..model.system import System, single_speed
 
 __all__ = [
     "CriticalSpeeds",
@@ -82,14 +84,6 @@ def mode_names(size: int) -> tuple[str, ...]:
     return (*backward, *(f"{number}F" for number in range(1, size + 1)))
 
 
-def one_speed(system: System) -> float:
-    """Return the spin speed of a system that must have a single one."""
-    if system.spin_speed.ndim:
-        shape = system.spin_speed.shape
-        raise ValueError(f"`system` must have a single spin speed, got an array of shape {shape}")
-    return float(system.spin_speed)
-
-
 def entries(matrix: Array) -> tuple[Any, ...]:
     """Return the four entries of 2 × 2 matrices, as plain numbers for a single one."""
     if matrix.ndim == 2:
@@ -131,18 +125,8 @@ def _two_degrees(system: System, load: Array) -> Complex:
 
 def eigenvalues(system: System, load: Array) -> Complex:
     """Return the roots ω (..., 2n) of any system as eigenvalues; see `whirl_frequencies`."""
-    # ω²q = M⁻¹Kq + ωM⁻¹(jD)q, companion form in (q, ωq); real where undamped
-    size = system.size
-    spin = 1j * system.damping() if system.is_damped else system.spin_matrix()
-    inverse = np.linalg.inv(system.mass)
-    lower = inverse @ system.stiffness(load)
-    spin = inverse @ spin
-    shape = np.broadcast_shapes(lower.shape, spin.shape)
-    companion = np.zeros((*shape[:-2], 2 * size, 2 * size), np.result_type(lower, spin))
-    companion[..., :size, size:] = np.eye(size)
-    companion[..., size:, :size] = lower
-    companion[..., size:, size:] = spin
-    return np.asarray(np.sort_complex(np.linalg.eigvals(companion)))
+    matrix = state_matrix(system, system.stiffness(load))
+    return np.asarray(np.sort_complex(np.linalg.eigvals(matrix)))
 
 
 def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
@@ -237,7 +221,7 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     -------
     (2n,) complex
     """
-    one_speed(system)
+    single_speed(system)
     load = number("load", load, -LARGEST, LARGEST)
     loads = np.linspace(0.0, load, _LOADS) if load else np.zeros(1)
     rows = [whirl_frequencies(system, loads)]
@@ -297,7 +281,7 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
         If the loads are not finite, or past the pole of the exact stiffness.
     """
     loads = series("loads", loads)
-    one_speed(system)
+    single_speed(system)
     start = int(np.abs(loads).argmin()) if loads.size else 0
     rows = track(whirl_frequencies(system, loads), start)
     if system.is_damped and loads.size:
