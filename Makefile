@@ -47,9 +47,9 @@ screenshots: $(VENV)/dev.stamp ## picture every page in build/screenshots, and t
 
 lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
 	$(PIP) install --quiet uv
-	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra deploy --extra dev --constraint requirements/pins.txt \
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra dev --constraint requirements/pins.txt \
 		--output-file requirements/dev.txt pyproject.toml requirements/build.in
-	$(VENV)/bin/$(COMPILE) --upgrade --extra app --extra deploy --constraint requirements/dev.txt \
+	$(VENV)/bin/$(COMPILE) --upgrade --extra app --constraint requirements/dev.txt \
 		--output-file requirements/serve.txt pyproject.toml requirements/build.in
 
 audit: $(VENV)/dev.stamp ## known faults of what is served, where their database can be reached

@@ -9,7 +9,8 @@ import secrets
 from contextlib import suppress
 from pathlib import Path
 
-from .settings import KEY, SettingError, Settings, read, stop
+from .kinds import SECRET
+from .settings import SettingError, Settings, exit_with, read
 
 __all__ = ["find_secret", "make_secret"]
 
@@ -37,7 +38,7 @@ def find_secret(settings: Settings, make: bool) -> str:
         if path.stat().st_mode & 0o077:
             raise SettingError(f"{path} must be for its owner only: chmod 600 '{path}'")
         text = path.read_text(encoding="ascii").strip()
-        return str(KEY.read(text or "none"))
+        return str(SECRET.read(text or "none"))
     except OSError as problem:
         raise SettingError(
             f"ROTORSTAB_SECRET_FILE: {problem.strerror}: {path};"
@@ -46,7 +47,7 @@ def find_secret(settings: Settings, make: bool) -> str:
     except ValueError as problem:
         if isinstance(problem, SettingError):
             raise
-        raise SettingError(f"{path} must hold {KEY.allowed}; remove it for a new one") from None
+        raise SettingError(f"{path} must hold {SECRET.allowed}; remove it for a new one") from None
 
 
 def make_secret(path: Path) -> None:
@@ -67,4 +68,4 @@ if __name__ == "__main__":
     try:
         find_secret(read(), make=True)
     except SettingError as problem:
-        stop(problem)
+        exit_with(problem)

@@ -1,104 +1,47 @@
-"""Every setting: its name in the environment, its default, its range, its meaning.
+"""Every setting: its name in the environment, its default, its range and its meaning.
 
-Read once at start, before anything listens; `docs/deploy.md` lists the same table and a test
-compares them. A value that nobody can have meant stops the start with one line and exit code 2.
+The settings are read once at the start, before anything listens. `docs/deploy.md` lists the same
+table, and a test compares the two. A value out of range ends the start with one line and exit
+code 2.
 """
 
 import errno
 import os
-import re
 import socket
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from ipaddress import ip_address
-from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NoReturn
 from urllib.parse import urlsplit
 
-LONGEST_SHOWN = 60
-LOOPBACK = ("localhost", "127.0.0.1", "::1")  # no other site can take these names
-HOST = r"([A-Za-z0-9]([A-Za-z0-9.-]{0,251}[A-Za-z0-9])?|\[[0-9A-Fa-f:.]{2,45}\])"
+from .kinds import (
+    ADDRESS,
+    FILE,
+    FOLDER,
+    ORIGINS,
+    PATH,
+    PORT,
+    PREFIX,
+    SECRET,
+    UPSTREAM,
+    Kind,
+    choice,
+    integer,
+)
 
-
-class Kind(NamedTuple):
-    """How a setting's text is read (ValueError where it cannot be), and what is allowed."""
-
-    read: Callable[[str], Any]
-    allowed: str
-
-
-def whole(lowest: int, highest: int) -> Kind:
-    """Return the kind of a whole number in a range."""
-
-    def read(text: str) -> int:
-        if not re.fullmatch("[0-9]{1,9}", text) or not lowest <= int(text) <= highest:
-            raise ValueError
-        return int(text)
-
-    return Kind(read, f"an integer from {lowest} to {highest}")
-
-
-def one_of(*words: str) -> Kind:
-    """Return the kind of one of some words."""
-    return Kind(lambda text: words[words.index(text)], f"one of {', '.join(words)}")
-
-
-def listed(pattern: str, allowed: str) -> Kind:
-    """Return the kind of several texts of a pattern, between commas or spaces."""
-
-    def read(text: str) -> tuple[str, ...]:
-        found = tuple(one for one in re.split(r"[,\s]+", text) if one)
-        if not all(re.fullmatch(pattern, one) for one in found):
-            raise ValueError
-        return found
-
-    return Kind(read, allowed)
-
-
-def readable(test: Callable[[Path], bool], allowed: str) -> Kind:
-    """Return the kind of a path that is there and can be read; empty means none."""
-
-    def read(text: str) -> str:
-        if text and not (test(Path(text)) and os.access(text, os.R_OK)):
-            raise ValueError
-        return text
-
-    return Kind(read, allowed)
-
-
-def _key(text: str) -> str:
-    if text and len(text) < 32:
-        raise ValueError
-    return text
-
-
-def _prefix(text: str) -> str:
-    if not re.fullmatch("((/[A-Za-z0-9_~-][A-Za-z0-9_.~-]*)*)/?", text):
-        raise ValueError
-    return text.rstrip("/")
-
-
-ADDRESS = Kind(lambda text: str(ip_address(text)), "an IP address")
-FILE = readable(Path.is_file, "a file that can be read")
-FOLDER = readable(Path.is_dir, "a folder that can be read")
-KEY = Kind(_key, "at least 32 characters")
-PATH = Kind(str, "a path")
-ORIGINS = listed(HOST + "(:[0-9]{1,5})?", "host or host:port as browsers write it, comma-separated")
-UPSTREAM = listed("[A-Za-z0-9_.-]+:[0-9]{1,5}", "host:port, comma-separated")
-
-
-PREFIX = Kind(_prefix, "empty or a path such as /rotorstab")
+BAD_SETTING = 2  # exit code of a process whose settings cannot be used
+LONGEST_SHOWN = 60  # characters of a value that an error message repeats
+LOOPBACK = ("localhost", "127.0.0.1", "::1")  # names that no other site can own
 
 
 def setting(name: str, default: str, kind: Kind, meaning: str) -> Any:
-    """Declare a setting."""
+    """Declare a setting of the environment variable `name`."""
     return field(metadata={"name": name, "default": default, "kind": kind, "meaning": meaning})
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What a server is told by its environment."""
+    """The settings of one server."""
 
     address: str = setting(
         "ADDRESS",
@@ -106,7 +49,7 @@ class Settings:
         ADDRESS,
         "where to listen; 0.0.0.0 opens it to the network, :: to IPv4 and IPv6",
     )
-    port: int = setting("PORT", "5006", whole(1, 65535), "where to listen")
+    port: int = setting("PORT", "5006", PORT, "where to listen")
     origins: tuple[str, ...] = setting(
         "ROTORSTAB_ORIGINS",
         "",
@@ -124,20 +67,23 @@ class Settings:
     outside_tls: str = setting(
         "ROTORSTAB_OUTSIDE_TLS",
         "no",
-        one_of("no", "yes"),
+        choice("no", "yes"),
         "whether a proxy of yours ends TLS in front of this server: cookies are for https:// only",
     )
     workers: int = setting(
-        "ROTORSTAB_WORKERS", "1", whole(1, 64), "identical workers; they share one secret"
+        "ROTORSTAB_WORKERS", "1", integer(1, 64), "identical workers; they share one secret"
     )
     worker_port: int = setting(
         "ROTORSTAB_WORKER_PORT",
         "5101",
-        whole(1024, 65000),
+        integer(1024, 65000),
         "first worker's port on loopback, behind nginx; the others follow",
     )
     secret: str = setting(
-        "BOKEH_SECRET_KEY", "", KEY, "signs sessions; the same for all workers, and told to nobody"
+        "BOKEH_SECRET_KEY",
+        "",
+        SECRET,
+        "signs sessions; the same for all workers, and known to nobody else",
     )
     secret_file: str = setting(
         "ROTORSTAB_SECRET_FILE",
@@ -148,44 +94,44 @@ class Settings:
     max_sessions: int = setting(
         "ROTORSTAB_MAX_SESSIONS",
         "60",
-        whole(1, 10000),
+        integer(1, 10000),
         "connected pages of one worker at a time; the next is told to wait (503)",
     )
     token_lifetime: int = setting(
-        "ROTORSTAB_TOKEN_LIFETIME", "3600", whole(60, 604800), "s a page may take to connect"
+        "ROTORSTAB_TOKEN_LIFETIME", "3600", integer(60, 604800), "s a page may take to connect"
     )
     unused_lifetime: int = setting(
         "ROTORSTAB_UNUSED_LIFETIME",
         "60",
-        whole(5, 86400),
+        integer(5, 86400),
         "s that a session is kept after its page has gone",
     )
     keep_alive: int = setting(
-        "ROTORSTAB_KEEP_ALIVE", "20", whole(1, 110), "s between pings on a socket"
+        "ROTORSTAB_KEEP_ALIVE", "20", integer(1, 110), "s between pings on a socket"
     )
     lessons: str = setting("ROTORSTAB_LESSONS", "", FOLDER, "the teacher's own lessons")
     log_level: str = setting(
-        "ROTORSTAB_LOG_LEVEL", "info", one_of("debug", "info", "warning", "error"), "what is logged"
+        "ROTORSTAB_LOG_LEVEL", "info", choice("debug", "info", "warning", "error"), "what is logged"
     )
     log_format: str = setting(
         "ROTORSTAB_LOG_FORMAT",
         "auto",
-        one_of("auto", "json", "text"),
+        choice("auto", "json", "text"),
         "a JSON object a line or plain text; auto is text on a terminal",
     )
     drain: int = setting(
-        "ROTORSTAB_DRAIN", "8", whole(1, 60), "s that running exports have left after SIGTERM"
+        "ROTORSTAB_DRAIN", "8", integer(1, 60), "s that running exports have left after SIGTERM"
     )
     hang: int = setting(
         "ROTORSTAB_HANG",
         "60",
-        whole(5, 3600),
+        integer(5, 3600),
         "s without a sign of life after which a worker ends itself, to be started again",
     )
     metrics: str = setting(
         "ROTORSTAB_METRICS",
         "loopback",
-        one_of("off", "loopback", "on"),
+        choice("off", "loopback", "on"),
         "who may read a worker's /metrics: nobody, this machine, all that reach its port",
     )
     tls_certificate: str = setting(
@@ -195,14 +141,14 @@ class Settings:
     http_port: int = setting(
         "ROTORSTAB_HTTP_PORT",
         "0",
-        whole(0, 65535),
+        integer(0, 65535),
         "nginx with TLS: a second port, mostly 80, whose http:// addresses are sent on to https://;"
         " 0 for none",
     )
     hsts: int = setting(
         "ROTORSTAB_HSTS",
         "0",
-        whole(0, 63_072_000),
+        integer(0, 63_072_000),
         "nginx with TLS: s for which browsers that came once use nothing but TLS for this name"
         " (HSTS); 0 sends nothing",
     )
@@ -220,53 +166,52 @@ def host_name(origin: str) -> str:
 
 
 class SettingError(ValueError):
-    """A setting that cannot be used, in one line."""
+    """A setting that cannot be used; the message is one line."""
 
 
 def read(environment: Mapping[str, str] = os.environ) -> Settings:
-    """Return the settings, checked one by one and together.
+    """Return the settings of an environment, checked one by one and together.
 
     Raises
     ------
     SettingError
-        Naming the setting, what is allowed and the value (of a secret, its length).
+        Names the setting, what is allowed and the value (of a secret, only its length).
     """
-    found = {}
-    for one in fields(Settings):
-        name, kind = one.metadata["name"], one.metadata["kind"]
-        text = environment.get(name, "").strip() or one.metadata["default"]
+    values: dict[str, Any] = {}
+    for entry in fields(Settings):
+        name, kind = entry.metadata["name"], entry.metadata["kind"]
+        text = environment.get(name, "").strip() or entry.metadata["default"]
         try:
-            found[one.name] = kind.read(text)
+            values[entry.name] = kind.read(text)
         except ValueError:
-            shown = str(len(text)) if kind is KEY else repr(text[:LONGEST_SHOWN])
+            shown = str(len(text)) if kind is SECRET else repr(text[:LONGEST_SHOWN])
             raise SettingError(f"{name} must be {kind.allowed}, got {shown}") from None
-    if bool(found["tls_certificate"]) != bool(found["tls_key"]):
-        raise SettingError("ROTORSTAB_TLS_CERTIFICATE and ROTORSTAB_TLS_KEY are set together")
-    for name, variable in (("hsts", "ROTORSTAB_HSTS"), ("http_port", "ROTORSTAB_HTTP_PORT")):
-        if found[name] and not found["tls_certificate"]:
-            raise SettingError(f"{variable} is for ROTORSTAB_TLS_CERTIFICATE, which is not set")
-    if found["http_port"] == found["port"]:
-        raise SettingError("ROTORSTAB_HTTP_PORT and PORT must be two ports")
-    port = found["port"]
-    found["origins"] = found["origins"] or (
+    _check_together(values)
+    port = values["port"]
+    values["origins"] = values["origins"] or (
         f"localhost:{port}",
         f"127.0.0.1:{port}",
         f"[::1]:{port}",
     )
-    return Settings(**found)
+    return Settings(**values)
 
 
-def check_port(settings: Settings, name: str = "PORT") -> None:
-    """Raise SettingError where the address or the port of a setting cannot be had; 0 is none."""
-    address, port = (
-        settings.address,
-        {
-            "PORT": settings.port,
-            "ROTORSTAB_HTTP_PORT": settings.http_port,
-        }[name],
-    )
-    if not port:
-        return
+def _check_together(values: Mapping[str, Any]) -> None:
+    """Raise SettingError where two settings contradict each other."""
+    if bool(values["tls_certificate"]) != bool(values["tls_key"]):
+        raise SettingError("ROTORSTAB_TLS_CERTIFICATE and ROTORSTAB_TLS_KEY are set together")
+    for name, variable in (("hsts", "ROTORSTAB_HSTS"), ("http_port", "ROTORSTAB_HTTP_PORT")):
+        if values[name] and not values["tls_certificate"]:
+            raise SettingError(f"{variable} is for ROTORSTAB_TLS_CERTIFICATE, which is not set")
+    if values["http_port"] == values["port"]:
+        raise SettingError("ROTORSTAB_HTTP_PORT and PORT must be two ports")
+
+
+def check_port(address: str, port: int, name: str = "PORT") -> None:
+    """Raise SettingError where this process cannot listen on an address and a port.
+
+    `name` is the setting that the message names.
+    """
     where = f"{name} {port} of {address}"
     reasons = {
         errno.EADDRINUSE: f"{where} is in use",
@@ -279,11 +224,11 @@ def check_port(settings: Settings, name: str = "PORT") -> None:
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
             probe.bind((address, port))
     except OSError as problem:
-        told = reasons.get(problem.errno or 0, f"{where}: {problem.strerror}")
-        raise SettingError(told) from None
+        reason = reasons.get(problem.errno or 0, f"{where}: {problem.strerror}")
+        raise SettingError(reason) from None
 
 
-def stop(problem: object) -> NoReturn:
-    """End the process with one line and exit code 2."""
+def exit_with(problem: object) -> NoReturn:
+    """Print one line on standard error and end the process with the code of a bad setting."""
     print(f"rotorstab: {problem}", file=sys.stderr)
-    sys.exit(2)
+    sys.exit(BAD_SETTING)

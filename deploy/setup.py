@@ -6,7 +6,7 @@ from deploy.patches import patching
 try:
     found = settings.read()
 except settings.SettingError as problem:
-    settings.stop(problem)
+    settings.exit_with(problem)
 try:
     # where Panel, Bokeh or Tornado have moved a part, its patch cannot even be imported
     from deploy.patches import (
@@ -43,6 +43,6 @@ try:
     ):
         part.install(found)
 except (ImportError, AttributeError) as problem:
-    settings.stop(patching.explain(problem))
+    settings.exit_with(patching.explain(problem))
 patching.hardened = True
 dashboard.warm_up()

@@ -1,6 +1,7 @@
-"""One worker: `python -m deploy.worker [directory or file of the app] [more of panel serve]`.
+"""One worker: `python -m deploy.worker [directory or file of the app] [options of panel serve]`.
 
-One process a worker: with Panel's --num-procs a stopped parent leaves its children serving.
+One process is one worker. Panel's `--num-procs` is refused, because its processes go on serving
+after their parent was stopped.
 """
 
 import os
@@ -10,10 +11,9 @@ from pathlib import Path
 
 from . import dashboard
 from .secret import find_secret
-from .settings import SettingError, Settings, check_port, read, stop
+from .settings import SettingError, Settings, check_port, exit_with, read
 
 LARGEST_MESSAGE = 262_144  # bytes
-# options of panel serve that a server for others must not have, and why
 REFUSED = {
     "num-procs": "its processes go on serving after the first one was stopped; ROTORSTAB_WORKERS "
     "and `python -m deploy.lab` start workers",
@@ -23,11 +23,43 @@ REFUSED = {
     "rest-provider": "its addresses have no login",
     "reuse-sessions": "users would share one page",
 }
+"""Options of `panel serve` that a server for others must not have, and why."""
+
+
+def refuse(options: Sequence[str]) -> None:
+    """Raise SettingError where one of the options is refused."""
+    for option in options:
+        written = option.partition("=")[0].removeprefix("--")
+        # argparse, which reads Panel's options, takes an abbreviated name for the whole one
+        for name, reason in REFUSED.items():
+            if option.startswith("--") and written and name.startswith(written):
+                raise SettingError(f"--{name} is not possible: {reason}")
 
 
 def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]:
-    """Return the command line of `panel serve`, with more options of it."""
-    options = {
+    """Return the command line of `panel serve` for an app.
+
+    Parameters
+    ----------
+    settings : Settings
+        Of this server.
+    app : str
+        Directory or file of the app.
+    more : sequence of str
+        Further options of `panel serve`.
+
+    Returns
+    -------
+    list of str
+        The words of the command line, beginning with `panel`.
+
+    Raises
+    ------
+    SettingError
+        Where an option of `more` is one of `REFUSED`.
+    """
+    refuse(more)
+    options: dict[str, object] = {
         # without an address Tornado listens for IPv4 and IPv6
         **({} if settings.address == "::" else {"address": settings.address}),
         "port": settings.port,
@@ -40,17 +72,11 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
         "unused-session-lifetime": settings.unused_lifetime * 1000,
         "check-unused-sessions": min(5, settings.unused_lifetime) * 1000,
     }
-    for word in more:
-        given = word.partition("=")[0].removeprefix("--")
-        # panel takes an option that is cut short
-        for name, reason in REFUSED.items():
-            if word.startswith("--") and given and name.startswith(given):
-                raise SettingError(f"--{name} is not possible: {reason}")
     words = ["panel", "serve", app]
     for name, value in options.items():
         words += [f"--{name}", str(value)]
-    # The token of a page stands readable in its HTML and holds what is listed here, nothing else:
-    # cookies and passwords of other services on the same name stay out of it.
+    # The token of a page can be read in its HTML, and it contains the headers and cookies that are
+    # listed here. Cookies and passwords of other services on the same host name stay out of it.
     words += ["--include-headers", "Host", "--include-cookies", "rotorstab"]
     for origin in settings.origins:
         words += ["--allow-websocket-origin", origin]
@@ -58,28 +84,26 @@ def command(settings: Settings, app: str, more: Sequence[str] = ()) -> list[str]
 
 
 def main() -> None:
-    """Check the settings, then serve until a signal."""
+    """Check the settings, then serve until a signal comes."""
+    app = sys.argv[1] if len(sys.argv) > 1 else str(dashboard.FOLDER)
     try:
         settings = read()
         os.environ["BOKEH_SECRET_KEY"] = find_secret(settings, make=settings.workers == 1)
-        check_port(settings)
+        check_port(settings.address, settings.port)
+        if not Path(app).exists():
+            raise SettingError(f"there is no app at {app}")
+        words = command(settings, app, sys.argv[2:])
     except SettingError as problem:
-        stop(problem)
+        exit_with(problem)
     os.environ |= {"BOKEH_SIGN_SESSIONS": "yes", "BOKEH_RESOURCES": "server"}
-    # a worker is for one core; threads that wait for each other cost a settled map 40 % more
+    # A worker is for one core: threads of OpenBLAS that wait for each other make a full map 40 %
+    # more expensive.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    app = sys.argv[1] if len(sys.argv) > 1 else str(dashboard.FOLDER)
-    if not Path(app).exists():
-        stop(f"there is no app at {app}")
-    try:
-        arguments = command(settings, app, sys.argv[2:])
-    except SettingError as problem:
-        stop(problem)
     dashboard.served = dashboard.is_dashboard(app)
-    from panel.command import main as panel  # seconds: not before the settings are known good
+    from panel.command import main as panel_command  # takes seconds: after the settings are checked
 
-    sys.argv = arguments
-    panel()
+    sys.argv = words
+    panel_command()
 
 
 if __name__ == "__main__":

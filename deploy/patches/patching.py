@@ -35,5 +35,5 @@ def explain(problem: Exception) -> str:
             found.append(f"no {one}")
     return (
         f"cannot harden this server, {', '.join(found)}: {problem}."
-        " pip install '.[app,deploy]' installs versions that are known"
+        " pip install 'rotorstab[app]' installs versions that are known"
     )

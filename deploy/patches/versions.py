@@ -40,6 +40,7 @@ def tell() -> None:
     """Log once whether a version is none that the app is made for."""
     if words := unknown(_required(), metadata.version):
         _LOG.warning(
-            "this may not work as it should: %s; pip install '.[app]' installs what it is made for",
+            "this may not work as it should: %s; "
+            "pip install 'rotorstab[app]' installs what it is made for",
             ", ".join(words),
         )

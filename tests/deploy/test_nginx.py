@@ -31,6 +31,7 @@ from deploy import lab as lab_module
 from deploy import nginx_log
 from deploy.constants import HEADERS, LONGEST_ADDRESS
 from deploy.nginx import command, find_nginx, write
+from deploy.processes import keep_running
 from deploy.settings import read
 from tests.conftest import opened
 from tests.testing.serving import START, Server, ended, free_port, run
@@ -653,8 +654,8 @@ class Named(http.server.BaseHTTPRequestHandler):
 
 def test_nginx_follows_workers_that_come_and_go(monkeypatch):
     """As in containers: a name stands for several addresses, and they change."""
-    monkeypatch.setattr(lab_module, "ASK_AGAIN", 0.1)
-    monkeypatch.setattr(lab_module, "whereabouts", lambda upstream: list(places))
+    monkeypatch.setattr(lab_module, "LOOK_AGAIN", 0.1)
+    monkeypatch.setattr(lab_module, "look_up", lambda upstream: list(places))
     servers = [http.server.ThreadingHTTPServer(("127.0.0.1", 0), Named) for _ in range(3)]
     for server in servers:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -682,7 +683,7 @@ def test_nginx_follows_workers_that_come_and_go(monkeypatch):
     async def lesson(folder):
         ending = asyncio.Event()
         front = asyncio.create_task(
-            lab_module.keep("nginx", command(find_nginx(), write(settings, [], folder)), ending, 10)
+            keep_running("nginx", command(find_nginx(), write(settings, [], folder)), ending, 10)
         )
         following = asyncio.create_task(
             lab_module.follow(settings, find_nginx(), folder, [], ending)

@@ -43,7 +43,15 @@ class Server:
     """
 
     def __init__(
-        self, log, app=None, origins=(), command=None, port=None, stderr=None, **environment
+        self,
+        log,
+        app=None,
+        origins=(),
+        command=None,
+        port=None,
+        stderr=None,
+        folder=None,
+        **environment,
     ):
         self.port = port or free_port()
         self.origin = f"http://localhost:{self.port}"
@@ -63,6 +71,7 @@ class Server:
             self.process = subprocess.Popen(
                 command,
                 env=environment,
+                cwd=folder,
                 stdout=output,
                 stderr=stderr or subprocess.STDOUT,
                 start_new_session=True,

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import fields
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import PackageNotFoundError, entry_points, version
 from typing import Any, NoReturn
 
 import numpy as np
@@ -31,6 +31,10 @@ from .commands import (
 )
 
 __all__ = ["main"]
+
+INSTALLED_COMMANDS = "rotorstab.commands"
+"""Entry-point group of further commands. Each entry is a function that takes the sub-parsers of
+argparse, adds its command and sets `run`. `serve` of the dashboard is one of them."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -182,6 +186,9 @@ def _parser() -> argparse.ArgumentParser:
     _add_rotor(regions)
     _add_output(regions, ".pdf .svg .png .csv .json")
     regions.set_defaults(run=run_regions)
+
+    for entry in entry_points(group=INSTALLED_COMMANDS):
+        entry.load()(commands)
     return parser
 
 
