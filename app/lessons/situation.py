@@ -23,7 +23,7 @@ from rotorstab import (
     whirl_frequencies,
 )
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
-from rotorstab.whirl.frequencies import mode_names, named_frequencies
+from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
 from ..results.analysis import Model
 from ..results.curves import reference_load

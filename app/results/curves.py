@@ -20,7 +20,7 @@ from rotorstab import (
 )
 from rotorstab.maps.window import Model
 from rotorstab.model.stiffness import largest_exact_load
-from rotorstab.whirl.frequencies import mode_names, named_frequencies
+from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
 from ..state import State
 

@@ -1,13 +1,9 @@
 """Parametric instability of a cantilever shaft–disk rotor under a pulsating load."""
 
+from .bolotin.boundaries import boundary_frequencies
+from .bolotin.chart import BolotinChart, bolotin_chart
 from .bolotin.hill import hill_boundary_frequencies
-from .bolotin.regions import (
-    BolotinChart,
-    bolotin_chart,
-    bolotin_mask,
-    boundary_frequencies,
-    in_bolotin_region,
-)
+from .bolotin.regions import bolotin_mask, in_bolotin_region
 from .floquet.first_order import FirstOrderRegion, first_order_regions
 from .floquet.point import floquet_multipliers, growth_rate
 from .floquet.resonance import Resonance, ResonanceTable, resonances
@@ -25,15 +21,10 @@ from .model.finite_element import finite_element
 from .model.stiffness import exact_stiffness, linear_stiffness
 from .model.system import System, fundamental_frequency, lumped
 from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
+from .whirl.campbell import WhirlCurves, campbell_diagram, load_frequency_curves
 from .whirl.critical_loads import beck_load, critical_load, flutter_load
-from .whirl.frequencies import (
-    CriticalSpeeds,
-    WhirlCurves,
-    campbell_diagram,
-    critical_speeds,
-    load_frequency_curves,
-    whirl_frequencies,
-)
+from .whirl.critical_speeds import CriticalSpeeds, critical_speeds
+from .whirl.frequencies import whirl_frequencies
 
 __all__ = [
     "BASE_CASE",

@@ -8,17 +8,15 @@ from rotorstab import (
     BASE_CASE,
     TABLE_1_SI,
     ShaftDisk,
+    boundary_frequencies,
+    campbell_diagram,
+    critical_load,
+    critical_speeds,
+    finite_element,
     fundamental_frequency,
     linear_stiffness,
-    lumped,
-)
-from rotorstab.bolotin.regions import boundary_frequencies
-from rotorstab.model.finite_element import finite_element
-from rotorstab.whirl.critical_loads import critical_load
-from rotorstab.whirl.frequencies import (
-    campbell_diagram,
-    critical_speeds,
     load_frequency_curves,
+    lumped,
     whirl_frequencies,
 )
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bolotin.regions import BolotinChart
+from ..bolotin.chart import BolotinChart
 from ..floquet.tongues.outlines import Outline
 from .structure import Chart, Layer, Lines, label_columns
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._numerics.roots import is_real
-from ..whirl.frequencies import WhirlCurves
+from ..whirl.campbell import WhirlCurves
 
 __all__ = [
     "ROLES",

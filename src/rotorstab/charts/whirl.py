@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..whirl.frequencies import CriticalSpeeds, WhirlCurves
+from ..whirl.campbell import WhirlCurves
+from ..whirl.critical_speeds import CriticalSpeeds
 from .structure import Chart, Layer, Lines, around_zero, label_columns, mark_columns
 
 __all__ = ["campbell_chart", "load_frequency_chart"]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from .._arguments import number
 from ..model.modal import modal_basis
 from ..model.system import System
-from ..whirl.frequencies import names_of
+from ..whirl.mode_names import names_of
 
 __all__ = ["Resonance", "ResonanceTable", "resonances"]
 

@@ -17,7 +17,7 @@ from ..model.modal import modal_basis, splitting_basis
 from ..model.stiffness import exact_stiffness
 from ..model.system import System, fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
-from ..whirl.frequencies import names_of
+from ..whirl.mode_names import names_of
 from .integrator import POINT_SCHEME, segment_propagators
 from .point import extrapolation_weights
 

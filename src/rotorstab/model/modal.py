@@ -16,7 +16,7 @@ from .._numerics.roots import is_real
 from .._types import AnyArray, Array, ArrayLike, Mask
 from .system import System
 
-__all__ = ["ModalBasis", "modal_basis", "mode_names", "splitting_basis", "state_matrix"]
+__all__ = ["ModalBasis", "modal_basis", "splitting_basis", "state_matrix"]
 
 _FRACTIONS = (1.0, 0.9, 0.7, 0.4, 0.0)  # of the static load, tried in turn
 _GOOD_CONDITION = 1e3
@@ -148,28 +148,3 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
     return ModalBasis(
         basis.load, basis.frequencies.real, basis.vectors.real, np.linalg.inv(basis.vectors.real)
     )
-
-
-def mode_names(frequencies: ArrayLike) -> tuple[str, ...]:
-    """Name whirl modes 1B, 1F, 2B, 2F and so on, by rank of |ω| within each precession.
-
-    Parameters
-    ----------
-    frequencies : (2n,) float or complex
-        Signed ω; the real part decides. ω ≥ 0 is forward.
-
-    Returns
-    -------
-    tuple of str
-
-    Examples
-    --------
-    >>> mode_names([-1.9, -0.4, 0.9, 3.4])
-    ('2B', '1B', '1F', '2F')
-    """
-    real = np.real(np.asarray(frequencies))
-    names = [""] * len(real)
-    for letter, members in (("B", np.flatnonzero(real < 0)), ("F", np.flatnonzero(real >= 0))):
-        for rank, index in enumerate(members[np.argsort(np.abs(real[members]), kind="stable")]):
-            names[index] = f"{rank + 1}{letter}"
-    return tuple(names)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ..bolotin.regions import boundary_frequencies
+from ..bolotin.boundaries import boundary_frequencies
 from ..floquet.point import growth_rate
 from ..floquet.resonance import Resonance, resonances
 from .region_panels import LOWEST, Variant

@@ -11,8 +11,9 @@ from .._numerics.roots import is_real
 from ..floquet.resonance import resonances
 from ..model.system import System, lumped
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
+from ..whirl.campbell import load_frequency_curves
 from ..whirl.critical_loads import critical_load, flutter_load
-from ..whirl.frequencies import load_frequency_curves, whirl_frequencies
+from ..whirl.frequencies import whirl_frequencies
 from .floquet_readings import read_floquet_8
 from .readings import read_figure_8
 from .structure import (

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..bolotin.regions import boundary_frequencies
+from ..bolotin.boundaries import boundary_frequencies
 from ..model.stiffness import largest_exact_load
 from ..model.system import lumped
 from ..rotors.shaft_disk import ShaftDisk

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..bolotin.regions import bolotin_chart
+from ..bolotin.chart import bolotin_chart
 from ..floquet.resonance import resonances
 from ..floquet.tongues.outlines import unstable_outlines
 from ..model.system import System

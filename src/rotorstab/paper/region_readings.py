@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..bolotin.regions import boundary_frequencies
+from ..bolotin.boundaries import boundary_frequencies
 from ..model.finite_element import finite_element
 from ..model.system import fundamental_frequency, lumped
 from ..rotors.shaft_disk import ShaftDisk

@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from ...bolotin.regions import boundary_frequencies
+from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.point import growth_rate
 from ...floquet.resonance import resonances
 from ...floquet.tongues.edges import tongue_edges

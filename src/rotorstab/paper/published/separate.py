@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from ...bolotin.regions import boundary_frequencies
+from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.resonance import resonances
 from ...model.finite_element import finite_element
 from ...model.system import fundamental_frequency, lumped
