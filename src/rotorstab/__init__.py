@@ -18,8 +18,9 @@ from .floquet.tongues.edges import TongueEdges, tongue_edges
 from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
 from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
+from .model.lumped import lumped
 from .model.stiffness import exact_stiffness, linear_stiffness
-from .model.system import System, fundamental_frequency, lumped
+from .model.system import System, fundamental_frequency
 from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from .whirl.campbell import WhirlCurves, campbell_diagram, load_frequency_curves
 from .whirl.critical_loads import beck_load, critical_load, flutter_load

@@ -177,3 +177,19 @@ def test_a_rotor_that_no_load_makes_stable_is_refused_with_words(size):
     )
     with pytest.raises(ValueError, match="`system` must be stable without load and damping"):
         rs.growth_rate(system, 0.0, 0.1, 2.0)
+
+
+def test_other_coordinates_change_no_frequency_and_fewer_raise_them():
+    system = rs.finite_element(BASE, 2.0, 0.0, elements=3, external_damping=0.02)
+    basis = np.random.default_rng(4).normal(size=(6, 6))
+    there, here = (rs.whirl_frequencies(one, 0.7) for one in (system.projected(basis), system))
+    assert there == pytest.approx(here, rel=1e-8)
+    fewer = system.at_speed(0.0).projected(basis[:, :3])
+    assert fewer.size == 3
+    # Rayleigh's principle
+    assert rs.fundamental_frequency(fewer) > rs.fundamental_frequency(system)
+
+
+def test_the_exact_stiffness_has_no_other_coordinates():
+    with pytest.raises(ValueError, match="`system` must have the linear stiffness law"):
+        rs.lumped(BASE, 0.0, stiffness="exact").projected(np.eye(2))

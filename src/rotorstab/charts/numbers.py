@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ..rotors.shaft_disk import Scales
+from ..whirl.critical_loads import critical_load
 
 __all__ = ["LOAD_UNITS", "load_unit", "written"]
 
@@ -20,7 +21,7 @@ def load_unit(scales: Scales) -> str:
 
     Charts reach a few times Euler's load; below 100 000 of a unit no axis needs an exponent.
     """
-    euler = math.pi**2 / 4 * scales.load
+    euler = float(critical_load(0.0)) * scales.load
     fitting = [name for name, size in LOAD_UNITS.items() if euler >= 20 * size]
     # the largest unit of which there are 20 or more
     return fitting[-1] if fitting else "µN"

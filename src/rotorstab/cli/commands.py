@@ -19,7 +19,8 @@ import numpy as np
 from .._arguments import number
 from ..drawing import tables
 from ..model.finite_element import finite_element
-from ..model.system import System, lumped
+from ..model.lumped import lumped
+from ..model.system import System
 from ..paper import (
     CONCLUSIONS,
     FIGURES,

@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import blas
 
+from ..model.harmonics import DIGITS, exact_harmonics, harmonic_rate, pole_term
 from ..model.modal import ModalBasis
-from ..model.stiffness import DIGITS, exact_harmonics, harmonic_rate, pole_term, refuse_peaks
+from ..model.stiffness import refuse_peaks
 from ..model.system import System
 
 __all__ = [

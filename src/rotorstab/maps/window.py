@@ -15,7 +15,8 @@ from ..bolotin.regions import bolotin_mask
 from ..floquet.interpolant.polynomial import ChartSampler
 from ..floquet.tongues.outlines import Outline, unstable_outlines
 from ..model.finite_element import finite_element, first_modes
-from ..model.system import System, fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import System, fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.frequencies import whirl_frequencies
 from .stability_map import StabilityChart, stability_chart

@@ -1,5 +1,7 @@
-"""What is solved: M q̈ + D q̇ + K(p̄) q = 0, lumped or by finite elements.
+"""What is solved: M q̈ + D q̇ + K(p̄) q = 0, for a lumped rotor or by finite elements.
 
-Read `stiffness`, then `system`, then `timoshenko`, `reduction` and `finite_element`; `modal` is
-the form that the analyses use.
+Read `system`, the form that every analysis takes. The lumped rotor is `stiffness`, `harmonics`
+(the stiffness under a pulsating load) and `lumped`; the distributed shaft is `timoshenko`,
+`reduction` and `finite_element`; both take their damping from `damping`. `modal` is the basis in
+which the analyses work.
 """

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from scipy.linalg import eigh
 
 from .._arguments import LARGEST, number, numbers, whole_number
 from .._types import ArrayLike
 from ..rotors.shaft_disk import ShaftDisk
+from .damping import with_damping_ratios
 from .reduction import reduction_basis
-from .system import System, fundamental_frequency
+from .system import System
 from .timoshenko import rotor_matrices
 
 __all__ = ["finite_element", "first_modes"]
@@ -99,23 +98,16 @@ def finite_element(
 
     Examples
     --------
+    >>> from rotorstab import fundamental_frequency
     >>> beam = ShaftDisk(0.0, disk_mass=0, diametral_inertia=0, polar_inertia=0, slenderness=0)
     >>> round(fundamental_frequency(finite_element(beam, 0.0)), 5)
     3.51602
     """
     tangency = number("tangency", tangency, 0.0, 1.0)
-    external = number("external_damping", external_damping, 0.0, LARGEST)
-    internal = number("internal_damping", internal_damping, 0.0, LARGEST)
     elements = whole_number("elements", elements, 1, _MOST_ELEMENTS)
     mass, gyroscopic, elastic, load = rotor_matrices(rotor, elements)
     geometric = load.copy()
     geometric[-2, -1] += tangency  # Eq. (A3)
-    if modes is not None:
-        modes = whole_number("modes", modes, 2, 2 * elements)
-        basis = reduction_basis(rotor, tangency, elements, modes)
-        mass, gyroscopic, elastic, geometric = (
-            basis.T @ matrix @ basis for matrix in (mass, gyroscopic, elastic, geometric)
-        )
     system = System(
         mass=mass,
         gyroscopic=gyroscopic,
@@ -126,14 +118,10 @@ def finite_element(
         spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
         tangency=tangency,
     )
-    if external == 0 and internal == 0:
-        return system
-    frequency = fundamental_frequency(system)
-    return replace(
-        system,
-        external_damping=2 * external * frequency * mass,
-        internal_damping=2 * internal / frequency * elastic,
-    )
+    if modes is not None:
+        modes = whole_number("modes", modes, 2, 2 * elements)
+        system = system.projected(reduction_basis(rotor, tangency, elements, modes))
+    return with_damping_ratios(system, external_damping, internal_damping)
 
 
 def first_modes(system: System, static_load: float, count: int = 2) -> System:
@@ -158,6 +146,4 @@ def first_modes(system: System, static_load: float, count: int = 2) -> System:
     """
     stiffness = system.load_stiffness(static_load)
     symmetric = (stiffness + stiffness.T) / 2
-    modes = eigh(symmetric, system.mass, subset_by_index=(0, count - 1))[1]
-    names = ("mass", "gyroscopic", "external_damping", "internal_damping", "elastic", "geometric")
-    return replace(system, **{name: modes.T @ getattr(system, name) @ modes for name in names})
+    return system.projected(eigh(symmetric, system.mass, subset_by_index=(0, count - 1))[1])

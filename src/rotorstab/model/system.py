@@ -1,4 +1,4 @@
-"""The linear system that every analysis takes: M q̈ + D q̇ + K(p̄) q = 0."""
+"""The linear system that every analysis takes, M q̈ + D q̇ + K(p̄) q = 0."""
 
 from __future__ import annotations
 
@@ -7,28 +7,29 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .._arguments import LARGEST, choice, number, numbers
+from .._arguments import LARGEST, numbers
 from .._types import AnyArray, Array, ArrayLike, Complex
-from ..rotors.shaft_disk import ShaftDisk
-from .stiffness import (
-    NEAR_POLE,
-    exact_harmonics,
-    exact_stiffness,
-    largest_exact_load,
-    linear_stiffness,
-    pole_harmonics,
-    refuse_peaks,
-)
+from .harmonics import exact_harmonics, pole_harmonics
+from .stiffness import NEAR_POLE, exact_stiffness, largest_exact_load, refuse_peaks
 
-__all__ = ["System", "fundamental_frequency", "lumped", "single_speed"]
+__all__ = ["System", "fundamental_frequency", "single_speed"]
+
+_MATRICES = (
+    "mass",
+    "gyroscopic",
+    "external_damping",
+    "internal_damping",
+    "elastic",
+    "geometric",
+)
 
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """Matrices of a rotor in complex coordinates U = V + jW, Ψ = Γ − jB.
+    """Matrices of a rotor in complex coordinates U = V + jW, Ψ = Γ − jB, non-dimensional.
 
     M q̈ + D q̇ + K(p̄) q = 0 with D = −jΩ̄ H + C_e + C_i and K(p̄) = Ka + p̄ Kb − jΩ̄ C_i
-    (or the exact K of the lumped shaft in place of Ka + p̄ Kb). Arrays are read-only.
+    (or the exact K of the lumped shaft in place of Ka + p̄ Kb). Its arrays are read-only copies.
 
     Parameters
     ----------
@@ -37,15 +38,19 @@ class System:
     gyroscopic : (n, n) float
         H, the gyroscopic matrix per unit of spin speed.
     external_damping, internal_damping : (n, n) float
-        C_e and C_i; the internal (rotating) one also acts as −jΩ̄ C_i on q.
+        C_e and C_i. The internal damping rotates with the shaft: it acts on q̇ − jΩ̄q.
     elastic, geometric : (n, n) float
         Ka and Kb.
     spin_speed : (...) float
-        Ω̄; an array gives one system per speed, which broadcasts against loads.
+        Ω̄ [√(EI/(ρAL⁴))]. An array gives one system per speed, which broadcasts against loads.
     tangency : float
-        μ, 0 axial to 1 follower.
+        μ [-], from 0 (axial load) to 1 (follower load); Kb already contains it.
     exact_shear : float or None
-        Φ if K(p̄) is the exact one of the lumped shaft, None for the linear law.
+        Φ [-] if K(p̄) is the exact stiffness of the lumped shaft, None for the linear law.
+
+    References
+    ----------
+    Eqs. (7)–(17) of the source paper.
     """
 
     mass: Array
@@ -60,15 +65,7 @@ class System:
 
     def __post_init__(self) -> None:
         """Make every array read-only."""
-        for name in (
-            "mass",
-            "gyroscopic",
-            "external_damping",
-            "internal_damping",
-            "elastic",
-            "geometric",
-            "spin_speed",
-        ):
+        for name in (*_MATRICES, "spin_speed"):
             array = np.asarray(getattr(self, name))
             if array.flags.writeable or array.base is not None or array.dtype != np.float64:
                 array = np.array(array, dtype=np.float64)
@@ -92,25 +89,63 @@ class System:
 
     @property
     def largest_load(self) -> float:
-        """Load [EI/L²] up to which charts go: 0.1 % below the exact stiffness's pole, else inf."""
+        """Load [EI/L²] where charts end: 0.1 % below the pole of the exact stiffness, else inf."""
         if self.exact_shear is None:
             return math.inf
         return float(largest_exact_load(self.exact_shear)) * (1 - NEAR_POLE)
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
-        """Return the same rotor at another spin speed Ω̄ (...)."""
+        """Return the same rotor at another spin speed.
+
+        Parameters
+        ----------
+        spin_speed : (...) float
+            Ω̄ [√(EI/(ρAL⁴))].
+
+        Returns
+        -------
+        System
+
+        Raises
+        ------
+        ValueError
+            If a speed is not finite or beyond ±1e9.
+        """
         return replace(self, spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST))
 
+    def projected(self, basis: Array) -> System:
+        """Return the system in other coordinates, or in fewer: q = T q′, every matrix TᵀAT.
+
+        Parameters
+        ----------
+        basis : (n, k) float
+            T.
+
+        Returns
+        -------
+        System
+            Shapes (k, k).
+
+        Raises
+        ------
+        ValueError
+            If the system has the exact stiffness, which is known in its own coordinates only.
+        """
+        if not self.is_linear:
+            raise ValueError("`system` must have the linear stiffness law, got the exact one")
+        matrices = {name: basis.T @ getattr(self, name) @ basis for name in _MATRICES}
+        return replace(self, **matrices)
+
     def spin_matrix(self) -> Array:
-        """Return Ω̄ H (..., n, n): jD of the undamped system, real."""
+        """Return Ω̄ H (..., n, n), which is jD of the undamped system and real."""
         return self.spin_speed[..., None, None] * self.gyroscopic
 
     def damping(self) -> Complex:
-        """Return D (..., n, n)."""
+        """Return D = −jΩ̄ H + C_e + C_i (..., n, n)."""
         return self.external_damping + self.internal_damping - 1j * self.spin_matrix()
 
     def load_stiffness(self, load: ArrayLike) -> Array:
-        """Return K(p̄) without the rotating damping's −jΩ̄ C_i.
+        """Return K(p̄) without the part −jΩ̄ C_i of the rotating damping.
 
         Parameters
         ----------
@@ -120,6 +155,11 @@ class System:
         Returns
         -------
         (..., n, n) float
+
+        Raises
+        ------
+        ValueError
+            If a load is not finite, or past the pole of the exact stiffness.
         """
         load = numbers("load", load, -LARGEST, LARGEST)
         if self.exact_shear is not None:
@@ -127,7 +167,7 @@ class System:
         return self.elastic + load[..., None, None] * self.geometric
 
     def stiffness(self, load: ArrayLike) -> AnyArray:
-        """Return K(p̄), the stiffness that multiplies q, rotating damping included.
+        """Return K(p̄), the matrix that multiplies q, with the part of the rotating damping.
 
         Parameters
         ----------
@@ -151,7 +191,7 @@ class System:
     def load_harmonics(
         self, static_load: ArrayLike, pulsating_load: ArrayLike, count: int = 1
     ) -> list[Array]:
-        """Return K₀ … K_count of K(p̄₀ + p̄_t cos φ) = Σ K_m cos mφ.
+        """Return K₀ … K_count of K(p̄₀ + p̄_t cos φ) = Σ K_m cos mφ, without rotating damping.
 
         Parameters
         ----------
@@ -208,7 +248,7 @@ def single_speed(system: System) -> float:
 
 
 def fundamental_frequency(system: System) -> float:
-    """Return ω_n, the lowest natural frequency at Ω̄ = 0, p̄ = 0, undamped.
+    """Return ω_n, the lowest natural frequency of the undamped rotor at Ω̄ = 0 and p̄ = 0.
 
     Parameters
     ----------
@@ -221,80 +261,9 @@ def fundamental_frequency(system: System) -> float:
 
     Examples
     --------
+    >>> from rotorstab import ShaftDisk, lumped
     >>> round(fundamental_frequency(lumped(ShaftDisk(), 0.0)), 7)
     0.6466913
     """
     squares = np.linalg.eigvals(np.linalg.solve(system.mass, system.elastic))
     return float(np.sqrt(squares.real.min()))
-
-
-def lumped(
-    rotor: ShaftDisk,
-    spin_speed: ArrayLike,
-    tangency: float = 0.0,
-    external_damping: float = 0.0,
-    internal_damping: float = 0.0,
-    stiffness: str = "linear",
-) -> System:
-    """Return the paper's two-degree-of-freedom model, Eqs. (7)–(17).
-
-    Parameters
-    ----------
-    rotor : ShaftDisk
-        Needs a disk: `disk_mass` and `diametral_inertia` above 0.
-    spin_speed : (...) float
-        Ω̄ [√(EI/(ρAL⁴))].
-    tangency : float
-        μ, in [0, 1]: 0 axial, 1 follower.
-    external_damping, internal_damping : float
-        Damping ratios ζ_e, ζ_i, 0 or more (beyond the paper): C_e = 2ζ_e ω_n M and
-        C_i = (2ζ_i/ω_n) Ka, acting on q̇ and on q̇ − jΩ̄q.
-    stiffness : {"linear", "exact"}
-        Eq. (9) or Appendix A.
-
-    Returns
-    -------
-    System
-        Shapes (2, 2); `spin_speed` keeps its shape.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of range.
-
-    Notes
-    -----
-    The shaft's own mass is neglected: good for M̄_D ≥ 3 or so, and for the first mode.
-
-    Examples
-    --------
-    >>> lumped(ShaftDisk(), 2.0).size
-    2
-    """
-    disk_mass = number("disk_mass", rotor.disk_mass, 0.0, open_low=True)
-    inertia = number("diametral_inertia", rotor.diametral_inertia, 0.0, open_low=True)
-    tangency = number("tangency", tangency, 0.0, 1.0)
-    external = number("external_damping", external_damping, 0.0, LARGEST)
-    internal = number("internal_damping", internal_damping, 0.0, LARGEST)
-    law = choice("stiffness", stiffness, ("linear", "exact"))
-    elastic, geometric = linear_stiffness(rotor.shear, tangency)
-    mass = np.diag([disk_mass, inertia])
-    system = System(
-        mass=mass,
-        gyroscopic=np.diag([0.0, rotor.polar_inertia]),
-        external_damping=np.zeros((2, 2)),
-        internal_damping=np.zeros((2, 2)),
-        elastic=elastic,
-        geometric=geometric,
-        spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
-        tangency=tangency,
-        exact_shear=rotor.shear if law == "exact" else None,
-    )
-    if external == 0 and internal == 0:
-        return system
-    frequency = fundamental_frequency(system)
-    return replace(
-        system,
-        external_damping=2 * external * frequency * mass,
-        internal_damping=2 * internal / frequency * elastic,
-    )

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..floquet.resonance import resonances
-from ..model.system import lumped
+from ..model.lumped import lumped
 from ..rotors.shaft_disk import BASE_CASE
 from ..whirl.critical_loads import critical_load
 from ..whirl.frequencies import whirl_frequencies

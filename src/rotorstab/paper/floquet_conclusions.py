@@ -11,7 +11,8 @@ from functools import cache
 from itertools import pairwise
 
 from ..floquet.tongues.edges import tongue_edges
-from ..model.system import fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .floquet_numbers import PRINCIPAL, area, growth, place, separating, strongest, tongues

@@ -10,7 +10,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..model.system import fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .floquet_numbers import (

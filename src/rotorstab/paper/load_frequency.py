@@ -9,7 +9,8 @@ import numpy as np
 
 from .._numerics.roots import is_real
 from ..floquet.resonance import resonances
-from ..model.system import System, lumped
+from ..model.lumped import lumped
+from ..model.system import System
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.campbell import load_frequency_curves
 from ..whirl.critical_loads import critical_load, flutter_load

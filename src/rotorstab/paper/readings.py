@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..bolotin.boundaries import boundary_frequencies
+from ..model.lumped import lumped
 from ..model.stiffness import largest_exact_load
-from ..model.system import lumped
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .structure import Panel, Series, Statement

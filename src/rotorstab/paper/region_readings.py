@@ -13,7 +13,8 @@ import numpy as np
 
 from ..bolotin.boundaries import boundary_frequencies
 from ..model.finite_element import finite_element
-from ..model.system import fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .structure import Array, Panel, Statement

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ..model.finite_element import finite_element, first_modes
-from ..model.system import fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import BASE_CASE, TABLE_1_SI, ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .floquet_readings import (

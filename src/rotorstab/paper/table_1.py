@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..model.finite_element import finite_element
-from ..model.system import fundamental_frequency, lumped
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import TABLE_1_SI, ShaftDisk
 from ..whirl.critical_loads import critical_load
 

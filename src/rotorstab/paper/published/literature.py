@@ -6,8 +6,10 @@ from functools import partial
 
 import numpy as np
 
+from ..._numerics.extrapolation import extrapolation_weights
 from ...model.finite_element import finite_element
-from ...model.system import fundamental_frequency, lumped
+from ...model.lumped import lumped
+from ...model.system import fundamental_frequency
 from ...rotors.shaft_disk import BASE_CASE, TABLE_1_SI, ShaftDisk
 from ...whirl.critical_loads import beck_load, critical_load
 from .structure import Published, item
@@ -40,7 +42,8 @@ def _buckling(shear: float) -> float:
         inverse = np.linalg.eigvals(-np.linalg.solve(system.elastic, system.geometric))
         return float(1 / inverse.real.max())
 
-    return (4 * on_mesh(40) - on_mesh(20)) / 3
+    loads = np.array([on_mesh(20), on_mesh(40)])
+    return float(extrapolation_weights((20, 40), order=2) @ loads)
 
 
 def paper() -> list[Published]:

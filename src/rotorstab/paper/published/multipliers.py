@@ -10,7 +10,8 @@ from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.point import growth_rate
 from ...floquet.resonance import resonances
 from ...floquet.tongues.edges import tongue_edges
-from ...model.system import System, lumped
+from ...model.lumped import lumped
+from ...model.system import System
 from ...rotors.shaft_disk import BASE_CASE
 from ...whirl.critical_loads import critical_load
 from .structure import Published, item

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.resonance import resonances
 from ...model.finite_element import finite_element
-from ...model.system import fundamental_frequency, lumped
+from ...model.lumped import lumped
+from ...model.system import fundamental_frequency
 from ...rotors.shaft_disk import BASE_CASE
 from ...whirl.critical_loads import critical_load, flutter_load
 from ...whirl.frequencies import whirl_frequencies

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 
 from ...model.finite_element import finite_element
-from ...model.system import System, lumped
+from ...model.lumped import lumped
+from ...model.system import System
 from ...rotors.shaft_disk import TABLE_1_SI, Scales, ShaftDisk
 from ...whirl.critical_loads import critical_load
 from ...whirl.frequencies import whirl_frequencies
