@@ -1,12 +1,12 @@
 """One server and one browser for all tests that look at the real page."""
 
 from collections import Counter
-from urllib.parse import urlsplit
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.testing.browser import FLAGS, HELP, find_browser
+from tests.testing.dashboard import open_dashboard
 from tests.testing.serving import Server
 
 # no test asserts a time, and machines of a CI are slow and shared
@@ -45,53 +45,13 @@ def browser():
         browser.close()
 
 
-class Watch:
-    """What a page complains of, and the hosts it asks."""
-
-    def __init__(self, page):
-        self.complaints = []
-        self.hosts = set()
-        page.on("console", self._console)
-        page.on("pageerror", lambda error: self.complaints.append(f"page error: {error}"))
-        page.on("requestfailed", self._failed)
-        page.on("request", lambda request: self.hosts.add(urlsplit(request.url).netloc))
-
-    def check(self, server):
-        """Fail on what was complained of since the last check."""
-        complaints, self.complaints = self.complaints, []
-        assert complaints == []
-        assert self.hosts - {""} == {urlsplit(server.origin).netloc}
-
-    def _console(self, message):
-        if message.type == "error":
-            where = message.location
-            self.complaints.append(
-                f"console: {message.text} ({where['url']}:{where['lineNumber']})"
-            )
-
-    def _failed(self, request):
-        if request.failure != "net::ERR_ABORTED":  # a page that is left
-            self.complaints.append(f"request: {request.url} {request.failure}")
-
-
-def opened(browser, server, width=1280, height=900, path="/app", **options):
-    """Open the dashboard in a context of its own; return the context, the page and its watch."""
-    context = browser.new_context(viewport={"width": width, "height": height}, **options)
-    context.set_default_timeout(20_000)
-    page = context.new_page()
-    watch = Watch(page)
-    page.goto(server.origin + path)
-    page.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
-    return context, page, watch
-
-
 @pytest.fixture
 def open_page(browser, dashboard):
     """Open dashboard pages; any complaint of theirs fails the test."""
     contexts, watches = [], []
 
     def open_one(*size, **options):
-        context, page, watch = opened(browser, dashboard, *size, **options)
+        context, page, watch = open_dashboard(browser, dashboard, *size, **options)
         contexts.append(context)
         watches.append(watch)
         return page
@@ -106,7 +66,7 @@ def open_page(browser, dashboard):
 @pytest.fixture(scope="session")
 def kept_page(browser, dashboard):
     """One page for all tests that need no fresh one: opening it takes seconds."""
-    context, page, watch = opened(browser, dashboard)
+    context, page, watch = open_dashboard(browser, dashboard)
     yield page, watch
     context.close()
 

@@ -2,7 +2,10 @@
 
 import pytest
 
-from tests.browser.test_page import open_groups, settle
+from app.pages import PAGES
+from app.results.analysis import CHARTS
+from tests.testing.dashboard import READY
+from tests.testing.page import FOCUS, agrees, drag, frame_of, open_groups, settle, visit
 
 pytestmark = pytest.mark.browser
 
@@ -50,7 +53,7 @@ def watched(browser, dashboard):
         context.add_init_script(WATCH)
         page = context.new_page()
         page.goto(f"{dashboard.origin}/app{query}")
-        page.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
+        page.wait_for_function(READY)
         settle(page)
         return page
 
@@ -59,10 +62,17 @@ def watched(browser, dashboard):
         context.close()
 
 
-@pytest.mark.parametrize("width", [1600, 1280, 820, 390])
-@pytest.mark.parametrize("query", ["?v=1&spin=1.7", "?v=1&u=SI&spin=1.3&ze=0.01"])
+@pytest.mark.parametrize(
+    ("width", "query"),
+    [
+        (1600, "?v=1&spin=1.71"),
+        (1280, "?v=1&u=SI&spin=1.3&ze=0.011"),
+        (820, "?v=1&spin=1.72"),
+        (390, "?v=1&u=SI&spin=1.3&ze=0.012"),
+    ],
+)
 def test_the_full_verdict_moves_no_chart(watched, width, query):
-    page = watched(width, f"{query}{width}")  # a map that the server does not know yet
+    page = watched(width, query)  # a map that the server does not know yet
     page.wait_for_timeout(300)
     found = tops(page)
     assert set(found) >= set(CHART_TITLES)
@@ -158,3 +168,41 @@ def test_a_chart_beside_a_lesson_keeps_its_tools(open_page):
     tools = page.locator("[aria-labelledby=instability-title] .bk-Toolbar .bk-tool-icon")
     tools.nth(4).wait_for(state="visible")  # Playwright looks into shadow roots
     assert page.locator("[aria-labelledby=instability-title] .bk-tool-overflow").count() == 0
+
+
+def test_no_page_scrolls_sideways(page):
+    for name in [one.key for one in PAGES][::-1]:
+        visit(page, name)
+        for width in (1920, 1280, 1024, 901, 768, 390):
+            page.set_viewport_size({"width": width, "height": 900})
+            page.wait_for_timeout(150)  # layout
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, (name, width)
+            if name == "explore":
+                for key in CHARTS:
+                    x, _, across, down = frame_of(page, key)
+                    assert x >= 0
+                    assert x + across <= width
+                    assert min(across, down) > 150
+    page.set_viewport_size({"width": 1280, "height": 900})
+
+
+def test_the_drawer_opens_and_closes_on_a_phone(open_page):
+    page = open_page(390, 844, has_touch=True)
+    sidebar = page.locator("#sidebar")
+    button = page.get_by_role("button", name="Parameters", exact=True)
+    assert not sidebar.is_visible()
+    button.tap()
+    sidebar.wait_for(state="visible")
+    assert button.get_attribute("aria-expanded") == "true"
+    assert page.evaluate(FOCUS) == "Close parameters"
+    page.keyboard.press("Escape")
+    sidebar.wait_for(state="hidden")
+    assert button.get_attribute("aria-expanded") == "false"
+    assert page.evaluate(FOCUS) == "Parameters"
+    button.tap()
+    page.get_by_role("button", name="Close parameters").tap()
+    sidebar.wait_for(state="hidden")
+    button.tap()
+    sidebar.wait_for(state="visible")
+    drag(page, "static_load_factor", 0.3)
+    agrees(page)

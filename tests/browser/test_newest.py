@@ -12,11 +12,11 @@ import pytest
 
 from app.state import State
 from benchmarks.classroom.client import User
-from tests.browser.test_page import agrees, settle
-from tests.conftest import opened
+from tests.testing.dashboard import open_dashboard
+from tests.testing.page import agrees, settle
 from tests.testing.serving import Server, run
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 ROOT = Path(__file__).parents[2]
 PLAIN, DEPLOYED = "panel serve app", "deploy/start.sh"
@@ -57,7 +57,7 @@ def test_a_message_that_comes_before_the_page_is_ready_is_answered(served):
 @pytest.fixture
 def tabs(browser, served):
     """Two pages of one user's; a complaint of theirs or of the server fails the test."""
-    context, page, watch = opened(browser, served)
+    context, page, watch = open_dashboard(browser, served)
     other = context.new_page()
     yield page, other
     context.close()

@@ -33,7 +33,7 @@ from deploy.constants import HEADERS, LONGEST_ADDRESS
 from deploy.nginx import command, find_nginx, write
 from deploy.processes import keep_running
 from deploy.settings import read
-from tests.conftest import opened
+from tests.testing.dashboard import open_dashboard
 from tests.testing.serving import START, Server, ended, free_port, run
 
 APP = """
@@ -343,7 +343,7 @@ def test_a_browser_opens_an_address_of_100_kB(browser, tmp_path):
     try:
         lab.wait()
         path = f"/app?v=1&spin=1.5&as={'9' * 50_000}&x={'1' * 50_000}&phi=0.03"
-        context, page, watch = opened(browser, lab, path=path)
+        context, page, watch = open_dashboard(browser, lab, path=path)
         notice = page.evaluate("rotorstab.last.address_notice")
         assert "as (" in notice
         assert "x" in notice

@@ -1,0 +1,45 @@
+"""Open the dashboard in a browser, and watch what its page complains of."""
+
+from urllib.parse import urlsplit
+
+READY = "window.rotorstab?.last && Bokeh.documents[0]?.is_idle"
+
+
+class Watch:
+    """What a page complains of, and the hosts that it asks."""
+
+    def __init__(self, page):
+        self.complaints = []
+        self.hosts = set()
+        page.on("console", self._console)
+        page.on("pageerror", lambda error: self.complaints.append(f"page error: {error}"))
+        page.on("requestfailed", self._failed)
+        page.on("request", lambda request: self.hosts.add(urlsplit(request.url).netloc))
+
+    def check(self, server):
+        """Fail on any complaint since the last check, and on any request to another host."""
+        complaints, self.complaints = self.complaints, []
+        assert complaints == []
+        assert self.hosts - {""} == {urlsplit(server.origin).netloc}
+
+    def _console(self, message):
+        if message.type == "error":
+            where = message.location
+            self.complaints.append(
+                f"console: {message.text} ({where['url']}:{where['lineNumber']})"
+            )
+
+    def _failed(self, request):
+        if request.failure != "net::ERR_ABORTED":  # the browser left the page
+            self.complaints.append(f"request: {request.url} {request.failure}")
+
+
+def open_dashboard(browser, server, width=1280, height=900, path="/app", **options):
+    """Open the dashboard in a new context; return the context, the page and its `Watch`."""
+    context = browser.new_context(viewport={"width": width, "height": height}, **options)
+    context.set_default_timeout(20_000)
+    page = context.new_page()
+    watch = Watch(page)
+    page.goto(server.origin + path)
+    page.wait_for_function(READY)
+    return context, page, watch
