@@ -10,7 +10,11 @@ PIP := $(PY) -m pip --disable-pip-version-check --no-input
 COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
-.PHONY: help serve lab test lint unit newest bench screenshots lock audit clean
+# A worker of pytest that has no test left takes over tests of the other one.
+PYTEST := $(PY) -m pytest --numprocesses auto --dist worksteal
+FIND_BROWSER := CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM
+
+.PHONY: help serve lab test long lint unit newest bench screenshots lock audit clean
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -22,8 +26,11 @@ serve: $(VENV)/serve.stamp ## serve the dashboard (ADDRESS, PORT)
 lab: $(VENV)/serve.stamp ## serve a class: nginx before WORKERS workers (docs/deploy.md)
 	@ADDRESS=$(ADDRESS) PORT=$(PORT) ROTORSTAB_WORKERS=$(WORKERS) exec $(PY) -m deploy.lab
 
-test: lint ## every check and test, with a browser (found, or installed)
-	@CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM && $(PY) -m pytest --numprocesses auto --dist loadfile
+test: lint ## every check, and all tests but the long ones, with a browser (found, or installed)
+	@$(FIND_BROWSER) && $(PYTEST) -m "not long"
+
+long: $(VENV)/dev.stamp ## the long tests: classes, killed processes, whole deployments (CI runs them too)
+	@$(FIND_BROWSER) && $(PYTEST) -m long
 
 lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file
 	$(PY) -m ruff check
@@ -33,8 +40,8 @@ lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose fil
 	$(VENV)/bin/hadolint Dockerfile
 	$(VENV)/bin/check-jsonschema --builtin-schema vendor.compose-spec compose.yaml
 
-unit: $(VENV)/dev.stamp ## the tests that need no browser
-	$(PY) -m pytest --numprocesses auto --dist loadfile -m "not browser"
+unit: $(VENV)/dev.stamp ## the tests of `make test` that need no browser
+	$(PYTEST) -m "not browser and not long"
 
 newest: ## a few browser tests on the newest Panel and Bokeh, in an environment of their own
 	@.ci/newest
@@ -43,7 +50,7 @@ bench: $(VENV)/dev.stamp ## time the solver and the redraw
 	$(PY) -m benchmarks
 
 screenshots: $(VENV)/dev.stamp ## picture every page in build/screenshots, and the README's
-	@CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM && $(PY) -m docs.screenshots
+	@$(FIND_BROWSER) && $(PY) -m docs.screenshots
 
 lock: $(VENV)/serve.stamp ## pin all requirements anew, with hashes
 	$(PIP) install --quiet uv

@@ -9,6 +9,8 @@ from benchmarks.classroom.deployment import Deployment
 from benchmarks.classroom.moving import close_class, move_class, open_class, wrong
 from tests.testing.serving import run
 
+pytestmark = pytest.mark.long
+
 PLACES = 3  # of each of two workers
 SECONDS = 3
 

@@ -4,7 +4,7 @@ import pytest
 
 from tests.testing.proxy import Proxy
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 
 
 @pytest.fixture

@@ -73,6 +73,7 @@ def tiny(tmp_path):
         server.stop()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", ["sleep", "block"])
 def test_a_worker_whose_loop_hangs_fails_its_health_and_ends_itself(tiny, how):
     server = tiny(ROTORSTAB_HANG="5")
@@ -107,6 +108,7 @@ def test_a_process_that_was_stopped_as_a_whole_does_not_hang():
     assert ended == []
 
 
+@pytest.mark.long
 def test_sigterm_ends_a_worker_that_hangs(tiny):
     server = tiny(ROTORSTAB_DRAIN="1")
     assert server.is_silent("/app?sleep=1")
@@ -218,6 +220,7 @@ os.kill(os.getpid(), signal.SIGKILL)
 """
 
 
+@pytest.mark.long
 def test_the_picture_process_ends_with_a_server_that_is_killed():
     done = subprocess.run([sys.executable, "-c", KILLED], stdout=subprocess.PIPE, check=False)
     assert done.returncode == -signal.SIGKILL

@@ -336,6 +336,7 @@ def test_the_redirect_has_the_headers_too_and_keeps_the_query(lab):
         assert headers["Strict-Transport-Security"] is None
 
 
+@pytest.mark.long
 @pytest.mark.browser
 def test_a_browser_opens_an_address_of_100_kB(browser, tmp_path):
     """The real page: it names what it ignores, keeps what is good, and can be used."""
@@ -413,6 +414,7 @@ def test_large_files_are_compressed(lab):
         assert len(reply.read()) < 0.5 * len(lab.get(path)[2])
 
 
+@pytest.mark.long
 def test_a_class_has_as_many_sessions_as_pages_until_it_is_full(lab):
     """Also where a worker is full and its student goes to the other one."""
 
@@ -438,6 +440,7 @@ def test_a_class_has_as_many_sessions_as_pages_until_it_is_full(lab):
     run(lesson())
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
 def test_a_worker_that_ends_takes_nobody_else_along(lab, number):
     async def lesson():
@@ -472,6 +475,7 @@ def test_a_worker_that_ends_takes_nobody_else_along(lab, number):
     run(lesson())
 
 
+@pytest.mark.long
 def test_a_page_that_ends_its_worker_is_given_to_no_other_one(lab):
     def started():
         return len(re.findall(r"started worker \d+: process", lab.log.read_text()))
@@ -486,15 +490,14 @@ def test_a_page_that_ends_its_worker_is_given_to_no_other_one(lab):
         lab.wait_for(lambda before=before: started() > before)
         lab.wait()
         assert started() == before + 1
-
-
-def test_the_launcher_logs_what_happened_as_json(lab):
+    # the launcher says so, in JSON
     lines = [line for line in lab.log.read_text().splitlines() if line.startswith("{")]
     messages = [json.loads(line) for line in lines]
     assert {"time", "level", "logger", "message"} <= set(messages[0])
     assert any("again in" in one["message"] for one in messages)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_the_end_leaves_nothing_behind(tmp_path, number):
     lab = Lab(tmp_path)
@@ -516,6 +519,7 @@ def test_the_end_leaves_nothing_behind(tmp_path, number):
         lab.stop()
 
 
+@pytest.mark.long
 def test_a_front_that_is_killed_leaves_no_orphan_and_comes_back(tmp_path):
     """nginx's workers once kept the port, and the new nginx could not have it."""
     lab = Lab(tmp_path)
@@ -591,6 +595,7 @@ def test_nginxs_messages_are_logged_without_address_and_query(caplog, line, leve
     assert (found.levelname, found.getMessage()) == (level, message)
 
 
+@pytest.mark.long
 def test_debug_logs_requests_but_neither_address_nor_query(tmp_path):
     """With a socket as standard error too, as under journald, which nginx could not open."""
     ours, theirs = socket.socketpair()
@@ -623,6 +628,7 @@ def test_debug_logs_requests_but_neither_address_nor_query(tmp_path):
         json.loads(line)
 
 
+@pytest.mark.long
 def test_a_setting_that_a_worker_cannot_use_ends_the_launcher(tmp_path):
     """Before it serves; with the worker's own line."""
     with socket.socket() as taken:
@@ -652,6 +658,7 @@ class Named(http.server.BaseHTTPRequestHandler):
         pass
 
 
+@pytest.mark.long
 def test_nginx_follows_workers_that_come_and_go(monkeypatch):
     """As in containers: a name stands for several addresses, and they change."""
     monkeypatch.setattr(lab_module, "LOOK_AGAIN", 0.1)
@@ -674,7 +681,7 @@ def test_nginx_follows_workers_that_come_and_go(monkeypatch):
     async def until(expected):
         for _ in range(600):
             with contextlib.suppress(OSError):
-                answers = {await asyncio.to_thread(answer) for _ in range(20)}
+                answers = {await asyncio.to_thread(answer) for _ in range(8)}
                 if answers == set(expected):
                     return
             await asyncio.sleep(0.1)
@@ -830,6 +837,7 @@ def test_with_tls_a_listed_number_is_served():
         assert handshake(port, certificate, "192.0.2.1") == b""
 
 
+@pytest.mark.long
 def test_with_tls_the_launcher_serves_pages_and_sends_http_on(tmp_path):
     """Workers once found the second port in use, by nginx, and everything ended."""
     files = [str(tmp_path / name) for name in ("key.pem", "certificate.pem")]
@@ -953,6 +961,7 @@ def behind(tmp_path_factory):
         lab.stop()
 
 
+@pytest.mark.long
 def test_below_a_path_of_another_name_everything_is_found(behind):
     def ask(path):
         return eventually(behind.outer, path, behind.trusted)
@@ -987,6 +996,7 @@ def test_below_a_path_of_another_name_everything_is_found(behind):
     assert done.stdout == "/rotorstab/app: 200\n"
 
 
+@pytest.mark.long
 @pytest.mark.browser
 def test_a_browser_uses_the_page_below_a_path_over_tls_that_ends_outside(browser, behind):
     context = browser.new_context(ignore_https_errors=True)
