@@ -18,7 +18,7 @@ from tornado.httpclient import HTTPClientError
 from app.background.telemetry import observe, observers
 from benchmarks.classroom.client import User
 from deploy.patches.health import Watchdog
-from tests.testing.serving import Server, ended, run
+from tests.testing.serving import Server, ended, free_port, run
 from tests.testing.wire import opened
 
 APP = """
@@ -70,6 +70,16 @@ def tiny(tmp_path):
 
     yield start
     for server in servers:
+        server.stop()
+
+
+@pytest.fixture(scope="module")
+def idle(tmp_path_factory):
+    """A server that no test makes hang or ends."""
+    server = Tiny(tmp_path_factory.mktemp("idle"), ROTORSTAB_LOG_LEVEL="debug")
+    try:
+        yield server.wait()
+    finally:
         server.stop()
 
 
@@ -126,13 +136,11 @@ def test_sigterm_ends_an_idle_worker_with_0(tiny):
     assert server.lines()[-1]["message"] == "stopped"
 
 
-def test_the_check_of_a_container(tiny):
-    server = tiny()
-
-    def check(path):
+def test_the_check_of_a_container(idle):
+    def check(path, port):
         done = subprocess.run(
             [sys.executable, "-m", "deploy.check", path],
-            env=os.environ | {"ADDRESS": "0.0.0.0", "PORT": str(server.port)},
+            env=os.environ | {"ADDRESS": "0.0.0.0", "PORT": str(port)},
             capture_output=True,
             text=True,
             check=False,
@@ -140,10 +148,9 @@ def test_the_check_of_a_container(tiny):
         assert done.stderr == ""
         return done.returncode, done.stdout
 
-    assert check("/health") == (0, "/health: 200\n")
-    assert check("/nowhere") == (1, "/nowhere: 404\n")
-    server.stop()
-    code, told = check("/health")
+    assert check("/health", idle.port) == (0, "/health: 200\n")
+    assert check("/nowhere", idle.port) == (1, "/nowhere: 404\n")
+    code, told = check("/health", free_port())
     assert code == 1
     assert "refused" in told
 
@@ -166,22 +173,20 @@ def test_an_address_for_both_families_and_an_ipv6_origin(tiny):
         run(open_socket("[2001:db8::1]"))
 
 
-def test_metrics_are_for_whom_they_are_meant(tiny):
-    server = tiny()
-    assert server.get("/metrics")[0] == 200
-    assert server.get("/metrics", **{"X-Forwarded-For": "127.0.0.1"})[0] == 404
+def test_metrics_are_for_whom_they_are_meant(idle, tiny):
+    assert idle.get("/metrics")[0] == 200
+    assert idle.get("/metrics", **{"X-Forwarded-For": "127.0.0.1"})[0] == 404
     server = tiny(ROTORSTAB_METRICS="on")
     assert server.get("/metrics", **{"X-Forwarded-For": "192.0.2.1"})[0] == 200
     server = tiny(ROTORSTAB_METRICS="off")
     assert server.get("/metrics")[0] == 404
 
 
-def test_a_log_line_is_an_object_or_plain_text(tiny):
-    server = tiny(ROTORSTAB_LOG_LEVEL="debug")
-    server.get("/app")
-    for line in server.lines():
+def test_a_log_line_is_an_object_or_plain_text(idle, tiny):
+    idle.get("/app")
+    for line in idle.lines():
         assert {"time", "level", "logger", "message"} <= set(line)
-    sessions = {line["session"] for line in server.lines() if "session" in line}
+    sessions = {line["session"] for line in idle.lines() if "session" in line}
     assert sessions
     assert {len(one) for one in sessions} == {8}
     plain = tiny(ROTORSTAB_LOG_FORMAT="text")
