@@ -94,13 +94,15 @@ def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
     """Return the pinned curves that are not just the present ones again."""
     label = _CURVES[now.key]
     present = now.layer(label).columns
-    columns: dict[str, list[Any]] = {"xs": [], "ys": [], "name": [], "role": []}
+    columns: dict[str, list[Any]] = {key: [] for key in ("xs", "ys", "name", "role", "group")}
     for one in pins:
         chart = one.result.charts[now.key]
         if scales is not None:
             chart = chart_in_si(chart, one.scales, one.result.numbers, load_unit(scales))
         kept = chart.layer(label).columns
-        for x, y, name, role in zip(*(kept[key] for key in columns), strict=True):
+        for x, y, name, role in zip(
+            *(kept[key] for key in ("xs", "ys", "name", "role")), strict=True
+        ):
             covered = any(
                 np.array_equal(y, new_y, equal_nan=True)
                 and np.array_equal(x, new_x, equal_nan=True)
@@ -111,6 +113,7 @@ def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
                 columns["ys"].append(y)
                 columns["name"].append(f"{one.name}: {name}")
                 columns["role"].append(f"pin {one.number}")
+                columns["group"].append(one.name)
     return Layer("lines", "pins", columns)
 
 

@@ -16,8 +16,10 @@ from app.results.analysis import CHARTS, solve
 from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
 from rotorstab.charts import ROLES
+from rotorstab.charts.columns import Lines, around_zero
 from rotorstab.charts.instability import _label_tongues
-from rotorstab.charts.structure import Chart, Layer, Lines, around_zero
+from rotorstab.charts.quantities import Quantity
+from rotorstab.charts.structure import Chart, Layer
 from rotorstab.drawing import screen
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
@@ -110,7 +112,7 @@ def test_complex_stretches_are_drawn_apart_from_real_ones():
     curves = load_frequency_curves(lumped(BASE_CASE, 1.0), loads)
     lines = Lines()
     lines.whirl(curves, ("axial", "axial"), "{}")
-    rows = list(zip(*lines.columns.values(), strict=True))
+    rows = list(zip(*(lines.columns[key] for key in ("xs", "ys", "name", "role")), strict=True))
     assert any(role == "growing" for *_, role in rows)
     for name, column in zip(curves.names, curves.frequencies.T, strict=True):
         is_complex = np.abs(column.imag) > 1e-9 * np.abs(column)
@@ -228,7 +230,9 @@ def test_ticks_of_a_large_orbit_are_few_and_short():
     lines.add(circle.real, circle.imag, "path", "orbit")
     reach = (-1e8, 1e8)
     layers = (Layer("lines", "orbit", lines.columns),)
-    chart = Chart("orbit", "", "V", "W", reach, reach, layers, square=True)
+    chart = Chart(
+        "orbit", "", Quantity("", "V"), Quantity("", "W"), reach, reach, layers, square=True
+    )
     for axis in hv.render(screen.element(chart), backend="bokeh").axis:
         assert axis.ticker.desired_num_ticks <= 4
         assert "toExponential" in axis.formatter.code

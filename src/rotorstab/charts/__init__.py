@@ -8,9 +8,10 @@ from .as_figure import chart_figure
 from .instability import GrowthGrid, instability_chart
 from .numbers import LOAD_UNITS, load_unit, written
 from .point import marker_layer, multiplier_chart, orbit_chart, pair_layers, response_chart
+from .roles import ROLES, Role
 from .si import chart_factors, in_seconds, in_si
 from .stiffness import error_loads, stiffness_charts
-from .structure import ROLES, Chart, Layer, Role, axis_symbol
+from .structure import Chart, Layer
 from .whirl import campbell_chart, load_frequency_chart
 
 __all__ = [
@@ -20,7 +21,6 @@ __all__ = [
     "GrowthGrid",
     "Layer",
     "Role",
-    "axis_symbol",
     "campbell_chart",
     "chart_factors",
     "chart_figure",

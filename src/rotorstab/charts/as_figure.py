@@ -7,8 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from ..paper import Figure, Grid, Panel, Region, Series
-from .structure import ROLES, Chart, axis_symbol
+from .figure import Figure, Grid, Label, Panel, Region, Series
+from .quantities import GROWTH, Quantity
+from .roles import ROLES
+from .structure import Chart
 
 __all__ = ["chart_figure"]
 
@@ -16,24 +18,16 @@ _POINTS = {
     "critical speeds": ("critical speed", "#0f8a6a"),
     "marker": ("marked point", "#c2255c"),
 }
-_STYLES = {"solid": "solid", "9 5": "dashed", "2 4": "dotted"}
 
 
-def _axis(label: str) -> tuple[str, str]:
-    """Return an axis label's symbol and unit."""
-    symbol, unit = axis_symbol(label)
-    units = {"p̄": "EI/L²", "ω̄": "√(EI/ρAL⁴)", "Ω̄": "√(EI/ρAL⁴)"}
-    return symbol, unit or units.get(symbol, "-")
-
-
-def _grid(data: Mapping[str, Any], units: str) -> Grid:
+def _grid(data: Mapping[str, Any], in_si: bool) -> Grid:
     """Return the growth map's rates with their pixel centres."""
     rates = np.asarray(data["rate"][0], float)
     rows, columns = rates.shape
     x = data["x"][0] + (np.arange(columns) + 0.5) / columns * data["dw"][0]
     y = data["y"][0] + (np.arange(rows) + 0.5) / rows * data["dh"][0]
-    name = ("growth rate σ", "1/s") if units == "SI" else ("growth rate σ̄", "√(EI/ρAL⁴)")
-    return Grid(*name, x, y, rates)
+    quantity = Quantity("growth rate", "σ", "1/s") if in_si else GROWTH
+    return Grid(quantity.label(with_unit=False), quantity.unit, x, y, rates)
 
 
 def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
@@ -55,17 +49,15 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
     for layer in chart.layers:
         data = layer.columns
         if layer.kind == "lines":
-            for x, y, name, role in zip(*data.values(), strict=True):
-                look = ROLES[role]
+            keys = ("xs", "ys", "name", "role", "group")
+            for x, y, name, role, group in zip(*(data[key] for key in keys), strict=True):
                 if role == "edge":
                     inside = np.isfinite(x)
-                    group = "unstable (Floquet)"
-                    unstable.append(Region(name, group, "solid", x[inside], y[inside]))
+                    floquet = "unstable (Floquet)"
+                    unstable.append(Region(name, floquet, "solid", x[inside], y[inside]))
                     continue
-                style: Any = _STYLES.get(look.dash, "dashdot")
-                # a pinned curve is called by its pin's own name
-                meaning = name.rpartition(": ")[0] if role.startswith("pin ") else look.meaning
-                series.append(Series(name, meaning, style, x, y, look.color))
+                look = ROLES[role]
+                series.append(Series(name, group, look.style, x, y, look.color))
         elif layer.kind == "points":
             for x, y, name in zip(data["x"], data["y"], data["name"], strict=True):
                 point = np.array([x]), np.array([y])
@@ -75,17 +67,19 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
             for x, y, name in zip(*data.values(), strict=True):
                 regions.append(Region(name, name, "solid", x, y))
         elif layer.kind == "map" and "rate" in data:
-            grid = _grid(data, chart.units)
+            grid = _grid(data, chart.in_si)
         elif layer.kind == "labels":
-            labels += list(zip(data["x"], data["y"], data["name"], strict=True))
-    (x_label, x_unit), (y_label, y_unit) = _axis(chart.x_label), _axis(chart.y_label)
+            labels += [
+                Label(x, y, name, low=name.endswith("B"))
+                for x, y, name in zip(data["x"], data["y"], data["name"], strict=True)
+            ]
     panel = Panel(
         letter="",
         title=chart.title,
-        x_label=x_label,
-        y_label=y_label,
-        x_unit=x_unit,
-        y_unit=y_unit,
+        x_label=chart.x.symbol,
+        y_label=chart.y.symbol,
+        x_unit=chart.x.unit,
+        y_unit=chart.y.unit,
         series=tuple(series),
         x_range=chart.x_range,
         y_range=chart.y_range,
@@ -96,6 +90,6 @@ def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
     )
     title = chart.title
     if grid is not None and not unstable:
-        unit = f" {grid.unit}" if chart.units == "SI" else ""
+        unit = f" {grid.unit}" if chart.in_si else ""
         title += f". Pixels: {grid.name} up to {grid.values.max():.3g}{unit}"
     return Figure(number=0, title=title, caption="", parameters=dict(parameters), panels=(panel,))

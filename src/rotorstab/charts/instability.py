@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 
 from ..bolotin.chart import BolotinChart
 from ..floquet.tongues.outlines import Outline
-from .structure import Chart, Layer, Lines, label_columns
+from .columns import Lines, label_columns
+from .modes import modes
+from .quantities import GROWTH, GROWTH_PER_PERIOD, Quantity
+from .structure import Chart, Layer
 
 __all__ = ["GrowthGrid", "instability_chart"]
 
@@ -105,6 +108,7 @@ def _growth_layers(
                 "frequency": [fundamental_frequency],
                 **place,
             },
+            quantity=GROWTH_PER_PERIOD if grid.per_period else GROWTH,
         ),
     ]
 
@@ -133,10 +137,6 @@ def _edge_lines(
         order = f", order {one.order}" if one.order > 1 else ""
         lines.add(theta, load, f"tongue {one.name}{order}" if one.order else "unstable", "edge")
     return lines.columns
-
-
-def _direction(name: str) -> str:
-    return "forward" if name.endswith("F") else "backward"
 
 
 def instability_chart(
@@ -171,19 +171,20 @@ def instability_chart(
     lines = Lines()
     rows = []
     left, right = frequency_range
-    for name, column in zip(bolotin.names, ratio.T, strict=True):
-        lines.add(column, factor, f"{name} boundary", _direction(name))
+    for mode, column in zip(modes(bolotin.names), ratio.T, strict=True):
+        role = "forward" if mode.forward else "backward"
+        lines.add(column, factor, f"{mode.name} boundary", role, mode=mode)
         inside = np.flatnonzero(
             (column >= left) & (column <= right) & (factor <= 0.97 * largest_factor)
         )
         if inside.size:
             # modes 2, 3 … sit a step lower, so that 1F and 2B never collide
-            top = largest_factor * (0.97 - 0.08 * (int(name[:-1]) - 1))
+            top = largest_factor * (0.97 - 0.08 * (mode.number - 1))
             place = inside[np.abs(factor[inside] - top).argmin()]
             # away from the line's own region, unless the chart's edge is near
             share = (column[place] - left) / (right - left)
-            side = "right" if share < 0.08 or (name.endswith("F") and share < 0.92) else "left"
-            rows.append((float(column[place]), float(factor[place]), name, side))
+            side = "right" if share < 0.08 or (mode.forward and share < 0.92) else "left"
+            rows.append((float(column[place]), float(factor[place]), mode.name, side))
     polygons = [polygon / (fundamental_frequency, reference_load) for polygon in bolotin.regions]
     regions: dict[str, Sequence[Any]] = {
         "xs": [polygon[:, 0] for polygon in polygons],
@@ -193,8 +194,8 @@ def instability_chart(
     return Chart(
         key="instability",
         title="Instability chart",
-        x_label="excitation frequency θ/ωₙ",
-        y_label="dynamic load factor β_d",
+        x=Quantity("excitation frequency", "θ/ωₙ"),
+        y=Quantity("dynamic load factor", "β_d"),
         x_range=frequency_range,
         y_range=(0.0, largest_factor),
         layers=(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from decimal import Decimal
 
 from ..rotors.shaft_disk import Scales
 from ..whirl.critical_loads import critical_load
@@ -38,9 +39,10 @@ def written(value: float, digits: int = 4) -> str:
     value = float(f"{value:.{digits}g}")
     size = abs(value)
     if size and not 1e-4 <= size < 1e9:
-        mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
-        mantissa = mantissa.rstrip("0").rstrip(".")
-        return f"{mantissa} × 10{str(int(power)).translate(_POWERS)}".replace("-", "−")
+        exact = Decimal(repr(value))
+        power = exact.adjusted()
+        mantissa = f"{exact.scaleb(-power).normalize():f}"
+        return f"{mantissa} × 10{str(power).translate(_POWERS)}".replace("-", "−")
     places = max(0, digits - 1 - math.floor(math.log10(size))) if size else 0
     text = f"{value:,.{places}f}".replace(",", _GAP if size >= 1e4 else "")
     if places:

@@ -6,7 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..floquet.response import TimeResponse
-from .structure import Chart, Layer, Lines, mark_columns
+from .columns import Lines, mark_columns
+from .quantities import EXCITATION, WHIRL, Amount, Quantity, Wording
+from .structure import Chart, Layer
 
 __all__ = [
     "marker_layer",
@@ -43,17 +45,15 @@ def multiplier_chart(multipliers: Complex) -> Chart:
     reach = _nice(max(1.3, 1.12 * float(np.abs(shown).max(initial=0.0))))
     lines = Lines()
     lines.add(np.cos(_CIRCLE), np.sin(_CIRCLE), "unit circle, |μ| = 1", "unit circle")
-    rows = [
-        (one.real, one.imag, f"μ = {one:.4f}, |μ| = {abs(one):.6f}".replace("j", "j"))
-        for one in shown
-    ]
-    out = [row for row, one in zip(rows, shown, strict=True) if abs(one) > 1 + _OUTSIDE]
-    within = [row for row, one in zip(rows, shown, strict=True) if abs(one) <= 1 + _OUTSIDE]
+    rows = [(μ.real, μ.imag, f"μ = {μ:.4f}, |μ| = {abs(μ):.6f}") for μ in shown]
+    grows = np.abs(shown) > 1 + _OUTSIDE
+    out = [row for row, outside in zip(rows, grows, strict=True) if outside]
+    within = [row for row, outside in zip(rows, grows, strict=True) if not outside]
     return Chart(
         key="multipliers",
         title="Floquet multipliers",
-        x_label="real part Re(μ)",
-        y_label="imaginary part Im(μ)",
+        x=Quantity("real part", "Re(μ)"),
+        y=Quantity("imaginary part", "Im(μ)"),
         x_range=(-reach, reach),
         y_range=(-reach, reach),
         layers=(
@@ -80,8 +80,8 @@ def response_chart(motion: TimeResponse) -> Chart:
     return Chart(
         key="response",
         title="Response of the tip",
-        x_label="time in periods of the load t/T",
-        y_label="tip displacement V, W",
+        x=Quantity("time in periods of the load", "t/T"),
+        y=Quantity("tip displacement", "V, W"),
         x_range=(0.0, float(periods[-1])),
         y_range=(-reach, reach),
         layers=(Layer("lines", "motion", lines.columns),),
@@ -101,8 +101,8 @@ def orbit_chart(motion: TimeResponse) -> Chart:
     return Chart(
         key="orbit",
         title="Orbit of the tip",
-        x_label="tip displacement V",
-        y_label="tip displacement W",
+        x=Quantity("tip displacement", "V"),
+        y=Quantity("tip displacement", "W"),
         x_range=(-reach, reach),
         y_range=(-reach, reach),
         layers=(
@@ -136,8 +136,9 @@ def pair_layers(x: float, pair: tuple[float, float], name: str, excitation: floa
     low, high = sorted(pair)
     lines = Lines()
     ends = np.array([low, low + excitation])
-    lines.add(np.array([x, x]), ends, f"θ̄ = {excitation:.4g} from {low:.4g}", "marker")
-    rows = [(x, one, f"{name}: ω̄ = {one:.5g}") for one in (low, high)]
+    amounts = Amount(EXCITATION, excitation), Amount(WHIRL, low, bare=True)
+    lines.add(np.array([x, x]), ends, Wording("{} from {}", amounts), "marker")
+    rows = [(x, end, Wording(f"{name}: {{}}", (Amount(WHIRL, end, 5),))) for end in (low, high)]
     return [
         Layer("lines", "marker ruler", lines.columns),
         Layer("points", "marker", mark_columns(rows)),

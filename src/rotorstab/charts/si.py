@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,6 +11,7 @@ import numpy as np
 
 from ..rotors.shaft_disk import Scales
 from .numbers import LOAD_UNITS, load_unit, written
+from .quantities import EXCITATION, GROWTH, GROWTH_PER_PERIOD, LOAD, SPIN, WHIRL, Amount, Quantity
 from .structure import Chart, Layer
 
 __all__ = ["chart_factors", "in_seconds", "in_si"]
@@ -20,27 +20,38 @@ _TURN = 2 * math.pi
 
 
 @dataclass(frozen=True)
-class _Axis:
-    """What an axis is in SI: its label, and one non-dimensional unit."""
+class _Scaled:
+    """A quantity in SI, and what one non-dimensional unit of it is."""
 
-    label: str
+    quantity: Quantity
     factor: float
 
 
-def _axes(
-    scales: Scales, frequency: float, load: float, unit: str
-) -> dict[str, tuple[_Axis, _Axis]]:
-    """Return both axes by a chart's key; `frequency` and `load` are what the ratios stand for."""
+def _in_si(scales: Scales, unit: str) -> dict[Quantity, _Scaled]:
+    """Return what each non-dimensional quantity is in SI; loads are in `unit`."""
     hertz = scales.frequency / _TURN
-    force = scales.load / LOAD_UNITS[unit]
-    whirl = _Axis("whirl frequency ω/2π [Hz]", hertz)
+    return {
+        LOAD: _Scaled(Quantity("steady load", "P", unit), scales.load / LOAD_UNITS[unit]),
+        SPIN: _Scaled(Quantity("spin speed", "Ω", "rpm"), 60 * hertz),
+        WHIRL: _Scaled(Quantity("whirl frequency", "ω/2π", "Hz"), hertz),
+        EXCITATION: _Scaled(Quantity("excitation frequency", "θ/2π", "Hz"), hertz),
+        GROWTH: _Scaled(Quantity("growth rate", "σ", "1/s"), scales.frequency),
+        GROWTH_PER_PERIOD: _Scaled(Quantity("growth per period", "σT"), 1.0),
+    }
+
+
+def _axes(
+    known: Mapping[Quantity, _Scaled], frequency: float, load: float
+) -> dict[str, tuple[_Scaled, _Scaled]]:
+    """Return both axes by a chart's key; `frequency` and `load` are what the ratios stand for."""
+    excitation, force = known[EXCITATION], known[LOAD]
     return {
         "instability": (
-            _Axis("excitation frequency θ/2π [Hz]", frequency * hertz),
-            _Axis(f"pulsating load P_t [{unit}]", load * force),
+            _Scaled(excitation.quantity, frequency * excitation.factor),
+            _Scaled(Quantity("pulsating load", "P_t", force.quantity.unit), load * force.factor),
         ),
-        "load-frequency": (_Axis(f"steady load P [{unit}]", force), whirl),
-        "campbell": (_Axis("spin speed Ω [rpm]", 60 * hertz), whirl),
+        "load-frequency": (force, known[WHIRL]),
+        "campbell": (known[SPIN], known[WHIRL]),
     }
 
 
@@ -56,8 +67,8 @@ def chart_factors(
     scales, fundamental_frequency, reference_load
         As in `in_si`.
     """
-    unit = load_unit(scales)
-    axes = _axes(scales, fundamental_frequency, reference_load, unit).get(key)
+    known = _in_si(scales, load_unit(scales))
+    axes = _axes(known, fundamental_frequency, reference_load).get(key)
     return (1.0, 1.0) if axes is None else (axes[0].factor, axes[1].factor)
 
 
@@ -73,7 +84,7 @@ def in_si(
     Parameters
     ----------
     chart : Chart
-        Non-dimensional; one of a kind without dimensions, or one in SI, comes back as it is.
+        Non-dimensional. One of a kind without dimensions, and one in SI, are returned unchanged.
     scales : Scales
         Of the shaft.
     fundamental_frequency : float
@@ -86,21 +97,19 @@ def in_si(
     Returns
     -------
     Chart
-        Growth becomes σ [1/s], unless it is per period; texts that name a load or a frequency
-        name it in SI.
+        Growth becomes σ [1/s], unless it is per period; names that give a load or a frequency
+        give it in SI.
     """
-    unit = unit or load_unit(scales)
-    axes = _axes(scales, fundamental_frequency, reference_load, unit).get(chart.key)
-    if axes is None or chart.units == "SI":
+    known = _in_si(scales, unit or load_unit(scales))
+    axes = _axes(known, fundamental_frequency, reference_load).get(chart.key)
+    if axes is None or chart.in_si:
         return chart
     x, y = axes
-    per_period = any(_per_period(layer) for layer in chart.layers)
-    growth = 1.0 if per_period else scales.frequency
-    convert = _Converter(x.factor, y.factor, growth, scales, unit)
+    convert = _Converter(x.factor, y.factor, known)
     return replace(
         chart,
-        x_label=x.label,
-        y_label=y.label,
+        x=x.quantity,
+        y=y.quantity,
         x_range=(chart.x_range[0] * x.factor, chart.x_range[1] * x.factor),
         y_range=(chart.y_range[0] * y.factor, chart.y_range[1] * y.factor),
         layers=tuple(map(convert.layer, chart.layers)),
@@ -125,79 +134,55 @@ def in_seconds(chart: Chart, period: float) -> Chart:
     low, high = chart.x_range
     return replace(
         chart,
-        x_label="time t [s]",
+        x=Quantity("time", "t", "s"),
         x_range=(low * period, high * period),
         layers=layers,
         units="SI",
     )
 
 
-def _per_period(layer: Layer) -> bool:
-    """Whether a map of growth is coloured by σ̄T, a number of its own in any unit."""
-    if layer.kind != "map" or "rate" not in layer.columns:
-        return False
-    image = np.asarray(layer.columns["image"][0])
-    seen = np.isfinite(image)
-    return not np.array_equal(image[seen], np.asarray(layer.columns["rate"][0])[seen])
-
-
 @dataclass(frozen=True)
 class _Converter:
-    """Turns the layers of one chart."""
+    """Converts the layers of one chart; `x` and `y` are the factors of its axes."""
 
     x: float
     y: float
-    growth: float
-    scales: Scales
-    unit: str
+    known: Mapping[Quantity, _Scaled]
 
     def layer(self, layer: Layer) -> Layer:
         columns: dict[str, Any] = dict(layer.columns)
         if layer.kind == "map":
-            return replace(layer, columns=self._map(columns))
-        long = layer.kind in ("lines", "regions")
-        xs, ys = ("xs", "ys") if long else ("x", "y")
-        if long:
-            columns[xs] = [one * self.x for one in columns[xs]]
-            columns[ys] = [one * self.y for one in columns[ys]]
-        else:
-            columns[xs] = np.asarray(columns[xs]) * self.x
-            columns[ys] = np.asarray(columns[ys]) * self.y
-        if layer.kind != "labels":
+            return self._map(layer)
+        for axis, factor in (("x", self.x), ("y", self.y)):
+            if axis in columns:
+                columns[axis] = np.asarray(columns[axis]) * factor
+            else:
+                columns[f"{axis}s"] = [line * factor for line in columns[f"{axis}s"]]
+        if "wording" in columns:
             columns["name"] = [
-                _name(name, np.atleast_1d(x), np.atleast_1d(y), self.unit)
-                for name, x, y in zip(columns["name"], columns[xs], columns[ys], strict=True)
+                name
+                if wording is None
+                else (wording.si_text or wording.text).format(*map(self._amount, wording.amounts))
+                for name, wording in zip(columns["name"], columns["wording"], strict=True)
             ]
         return replace(layer, columns=columns)
 
-    def _map(self, columns: Mapping[str, Sequence[Any]]) -> dict[str, Sequence[Any]]:
+    def _amount(self, amount: Amount) -> str:
+        """Return the text of an amount in SI."""
+        scaled = self.known[amount.quantity]
+        text = f"{written(amount.value * scaled.factor, 5)} {scaled.quantity.unit}"
+        return text if amount.bare else f"{scaled.quantity.symbol}{amount.index} = {text}"
+
+    def _map(self, layer: Layer) -> Layer:
         factors = {"x": self.x, "dw": self.x, "y": self.y, "dh": self.y}
-        found = {
-            name: [one * factors[name] for one in column] if name in factors else column
-            for name, column in columns.items()
+        columns: dict[str, Sequence[Any]] = {
+            name: [value * factors[name] for value in column] if name in factors else column
+            for name, column in layer.columns.items()
         }
-        if "rate" in columns:
-            found["image"] = [columns["image"][0] * np.float32(self.growth)]
-            found["rate"] = [columns["rate"][0] * np.float32(self.scales.frequency)]
-            found["frequency"] = [_TURN]  # the hover's θ is 2π times the abscissa in Hz
-        return found
-
-
-_NUMBER = r"[−-]?\d[\d.]*(?:e[+−-]?\d+)?"
-_VALUE = re.compile(rf"(p̄₀|p̄|Ω̄|ω̄|θ̄) = {_NUMBER}(?: from {_NUMBER})?")
-
-
-def _name(name: str, x: np.ndarray, y: np.ndarray, unit: str) -> str:
-    """Return a mark's text with its values in SI, taken from where the mark stands."""
-
-    def value(found: re.Match[str]) -> str:
-        symbol = found[1].replace("\u0304", "")
-        if symbol.startswith("p"):
-            return f"{symbol.upper()} = {written(x[0], 5)} {unit}"
-        if symbol == "Ω":
-            return f"Ω = {written(x[0], 5)} rpm"
-        if symbol == "θ":  # the ruler
-            return f"θ/2π = {written(y[-1] - y[0], 5)} Hz from {written(y[0], 5)} Hz"
-        return f"ω/2π = {written(y[0], 5)} Hz"
-
-    return _VALUE.sub(value, name).replace("ω̄ = ", "ω = ").replace("Ω̄", "Ω")
+        if layer.quantity is None:
+            return replace(layer, columns=columns)
+        shown, rate = self.known[layer.quantity], self.known[GROWTH]
+        columns["image"] = [columns["image"][0] * np.float32(shown.factor)]
+        columns["rate"] = [columns["rate"][0] * np.float32(rate.factor)]
+        columns["frequency"] = [_TURN]  # the hover's θ is 2π times the abscissa in Hz
+        return replace(layer, columns=columns, quantity=shown.quantity)

@@ -7,12 +7,21 @@ from numpy.typing import NDArray
 
 from ..model.stiffness import exact_stiffness, largest_exact_load, linear_stiffness
 from ..whirl.critical_loads import critical_load
-from .structure import Chart, Layer, Lines, label_columns
+from .columns import Lines, label_columns
+from .quantities import LOAD, Quantity
+from .structure import Chart, Layer
 
 __all__ = ["error_loads", "stiffness_charts"]
 
 Array = NDArray[np.float64]
-ENTRIES = ((0, 0, "k̄₁₁"), (0, 1, "k̄₁₂"), (1, 0, "k̄₂₁"), (1, 1, "k̄₂₂"))
+ENTRIES = (
+    (0, 0, "k̄₁₁", "EI/L³"),
+    (0, 1, "k̄₁₂", "EI/L²"),
+    (1, 0, "k̄₂₁", "EI/L²"),
+    (1, 1, "k̄₂₂", "EI/L"),
+)
+"""Row, column, symbol and unit of each stiffness influence coefficient."""
+
 LEVELS = (0.01, 0.05)
 _LARGEST_ERROR = 0.5  # most that the error chart shows
 _HEADROOM = 0.985  # how near to the pole the charts go
@@ -104,7 +113,7 @@ def stiffness_charts(
     exact, linear = _both(axis, shear, tangency)
     x_range = (loads[0], top)
     charts = []
-    for row, column, name in ENTRIES:
+    for row, column, name, unit in ENTRIES:
         values = linear[:, row, column]
         lines = Lines()
         lines.add(axis, exact[:, row, column], f"{name}, exact", "exact")
@@ -115,8 +124,8 @@ def stiffness_charts(
             Chart(
                 key=f"k{row + 1}{column + 1}",
                 title=name,
-                x_label="steady load p̄",
-                y_label=f"coefficient {name}",
+                x=LOAD,
+                y=Quantity("coefficient", name, unit),
                 x_range=x_range,
                 y_range=(float(values.min()) - room, float(values.max()) + room),
                 layers=(Layer("lines", "coefficient", lines.columns),),
@@ -141,8 +150,8 @@ def stiffness_charts(
         Chart(
             key="errors",
             title="Error of the linear law",
-            x_label="steady load p̄",
-            y_label="error over k̄(0)",
+            x=LOAD,
+            y=Quantity("", "error over k̄(0)"),
             x_range=x_range,
             y_range=(-0.13 * top_error, top_error),  # room for a name under a curve near 0
             layers=(

@@ -8,14 +8,17 @@ import numpy as np
 
 from ..whirl.campbell import WhirlCurves
 from ..whirl.critical_speeds import CriticalSpeeds
-from .structure import Chart, Layer, Lines, around_zero, label_columns, mark_columns
+from .columns import Lines, around_zero, label_columns, mark_columns
+from .modes import modes
+from .quantities import LOAD, SPIN, WHIRL, Amount, Wording
+from .structure import Chart, Layer
 
 __all__ = ["campbell_chart", "load_frequency_chart"]
 
 
 def _span(curves: WhirlCurves) -> tuple[float, float]:
     """Return the least and the largest Re ω̄ of modes 1 and 2: finite elements have many more."""
-    shown = [name[0] in "12" and len(name) == 2 for name in curves.names]
+    shown = [mode.number <= 2 for mode in modes(curves.names)]
     real = curves.frequencies.real[:, shown]
     return float(real.min()), float(real.max())
 
@@ -73,16 +76,18 @@ def load_frequency_chart(
     lines, marks = Lines(), Lines()
     for role, one in curves.items():
         lines.whirl(one, (role, role), f"{{}}, {role}")
-    marks.vertical(static_load, y_range, f"present static load, p̄₀ = {static_load:.4g}", "current")
+    present = Wording("present static load, {}", (Amount(LOAD, static_load, index="₀"),))
+    marks.vertical(static_load, y_range, present, "current")
     shown = {name: load for name, load in limits.items() if x_range[0] <= load <= x_range[1]}
     for name, load in shown.items():
-        marks.vertical(load, y_range, f"{name}, p̄ = {load:.5g}", "limit")
+        wording = Wording(f"{name}, {{}}", (Amount(LOAD, load, 5),))
+        marks.vertical(load, y_range, wording, "limit")
     rows = _mode_labels(first, 0, "upper right") + _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
-        x_label="steady load p̄",
-        y_label="whirl frequency ω̄",
+        x=LOAD,
+        y=WHIRL,
         x_range=x_range,
         y_range=y_range,
         layers=(
@@ -109,11 +114,17 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
     lines, marks = Lines(), Lines()
     lines.whirl(curves, ("backward", "forward"), "{}")
     ends = np.array(x_range)
-    lines.add(ends, ends, "synchronous, ω̄ = Ω̄", "synchronous")
-    lines.add(ends, -ends, "synchronous, ω̄ = −Ω̄", "synchronous")
-    marks.vertical(spin_speed, y_range, f"present spin speed, Ω̄ = {spin_speed:.4g}", "current")
+    for sign, minus in ((1, ""), (-1, "−")):
+        text, si_text = f"synchronous, ω̄ = {minus}Ω̄", f"synchronous, ω = {minus}Ω"
+        lines.add(ends, sign * ends, Wording(text, si_text=si_text), "synchronous")
+    present = Wording("present spin speed, {}", (Amount(SPIN, spin_speed),))
+    marks.vertical(spin_speed, y_range, present, "current")
     points = [
-        (float(speed), sign * float(speed), f"critical speed, Ω̄ = {speed:.4g} ({word})")
+        (
+            float(speed),
+            sign * float(speed),
+            Wording(f"critical speed, {{}} ({word})", (Amount(SPIN, float(speed)),)),
+        )
         for sign, word, speeds in (
             (1, "forward", critical.forward),
             (-1, "backward", critical.backward),
@@ -124,8 +135,8 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
     return Chart(
         key="campbell",
         title="Campbell diagram",
-        x_label="spin speed Ω̄",
-        y_label="whirl frequency ω̄",
+        x=SPIN,
+        y=WHIRL,
         x_range=x_range,
         y_range=y_range,
         layers=(

@@ -251,15 +251,15 @@ def _finish(axes: Any, panel: Panel) -> None:
     axes.set_aspect("auto")
     axes.tick_params(direction="in", top=True, right=True)
     axes.spines[:].set_visible(True)
-    for x, y, text in panel.labels:
+    for label in panel.labels:
+        x, y, backward = label.x, label.y, label.low
         at_top = y >= panel.y_range[1]
-        backward = text.endswith("B")
         # a label just under the frame would touch it
         below = not at_top and y > panel.y_range[1] - 0.06 * (panel.y_range[1] - panel.y_range[0])
         # to the left of its line, but clear of the axis numbers at the left edge
         leftward = at_top and backward and x > 0.07 * panel.x_range[1]
         axes.annotate(
-            text,
+            label.text,
             (x, y),
             xytext=((-1 if leftward else 1), 2) if at_top else (4, -9 if backward else 3),
             textcoords="offset points",

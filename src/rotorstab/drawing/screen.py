@@ -20,7 +20,7 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import ROLES, Chart, Layer, axis_symbol
+from ..charts import ROLES, Chart, Layer
 
 __all__ = ["POINT_LOOKS", "columns", "element", "hover_names"]
 
@@ -120,28 +120,20 @@ def _apply_label_places(plot: Any, _: Any) -> None:
     )
 
 
-def _axis_name(label: str) -> str:
-    symbol, unit = axis_symbol(label)
-    return f"{symbol} [{unit}]" if unit else symbol
-
-
 def _growth_name(chart: Chart) -> str:
-    return "growth σ [1/s]" if chart.units == "SI" else "growth σ̄"
+    return "growth σ [1/s]" if chart.in_si else "growth σ̄"
 
 
 def hover_names(chart: Chart) -> list[str]:
     """Return the hover's names of abscissa, ordinate and growth, in the chart's units."""
-    return [_axis_name(chart.x_label), _axis_name(chart.y_label), _growth_name(chart)]
+    return [chart.x.name(chart.in_si), chart.y.name(chart.in_si), _growth_name(chart)]
 
 
 def _hover(chart: Chart) -> HoverTool:
     """Return a hover tool that names the mark and gives the point in the chart's symbols."""
+    x, y, _ = hover_names(chart)
     return HoverTool(
-        tooltips=[
-            ("", "@name"),
-            (_axis_name(chart.x_label), "$x{0.000}"),
-            (_axis_name(chart.y_label), "$y{0.000}"),
-        ],
+        tooltips=[("", "@name"), (x, "$x{0.000}"), (y, "$y{0.000}")],
         line_policy="nearest",
         visible=False,
     )
@@ -241,11 +233,12 @@ def _map_hover(chart: Chart) -> HoverTool:
                 "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
         """
     )
+    x, y, growth = hover_names(chart)
     return HoverTool(
         tooltips=[
-            (_axis_name(chart.x_label), "$x{0.000}"),
-            (_axis_name(chart.y_label), "$y{0.000}"),
-            (_growth_name(chart), "@rate{custom}"),
+            (x, "$x{0.000}"),
+            (y, "$y{0.000}"),
+            (growth, "@rate{custom}"),
             ("verdict", "@verdict{custom}"),
         ],
         formatters={"@verdict": words},

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 
+from ..charts.figure import Figure, Grid, Mark, Panel, Region, Series, Statement
 from .coefficients import figure_2, figure_3
 from .conclusions import CONCLUSIONS
 from .floquet_conclusions import FLOQUET_CONCLUSIONS
 from .load_frequency import figure_8
 from .own_rotor import own_regions
 from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
-from .structure import Figure, Grid, Mark, Panel, Region, Series, Statement
 from .table_1 import Row, Table, table_1
 
 __all__ = [

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..charts.figure import Array, Figure, Panel, Series, lettered, parameters
 from ..model.stiffness import exact_stiffness, linear_stiffness
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.critical_loads import beck_load, critical_load
 from .readings import read_figure_2, read_figure_3
-from .structure import Array, Figure, Panel, Series, lettered, parameters
 
 __all__ = ["figure_2", "figure_3"]
 

@@ -11,13 +11,13 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..charts.figure import Figure, Statement
 from ..floquet.resonance import resonances
 from ..model.lumped import lumped
 from ..rotors.shaft_disk import BASE_CASE
 from ..whirl.critical_loads import critical_load
 from ..whirl.frequencies import whirl_frequencies
 from .regions import figure_5, figure_6, figure_7, figure_9
-from .structure import Figure, Statement
 from .verdicts import boundaries, groups, judge, percent, right_of, say
 
 __all__ = [

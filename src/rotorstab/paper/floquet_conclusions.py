@@ -10,6 +10,7 @@ from collections.abc import Callable
 from functools import cache
 from itertools import pairwise
 
+from ..charts.figure import Statement
 from ..floquet.tongues.edges import tongue_edges
 from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
@@ -17,7 +18,6 @@ from ..rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .floquet_numbers import PRINCIPAL, area, growth, place, separating, strongest, tongues
 from .region_panels import Variant, region_panel
-from .structure import Statement
 from .verdicts import listed, percent, uphold
 
 __all__ = [

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..bolotin.boundaries import boundary_frequencies
+from ..charts.figure import Panel, Region, Statement
 from ..floquet.point import growth_rate
 from ..floquet.resonance import Resonance, resonances
 from .region_panels import LOWEST, Variant
-from .structure import Panel, Region, Statement
 from .verdicts import groups, percent, uphold
 
 __all__ = [
@@ -84,7 +84,8 @@ def width(panel: Panel, group: str, factor: float, name: str = PRINCIPAL) -> flo
     widths = []
     for one in panel.unstable:
         y, left, right = _halves(one)
-        if one.group == group and one.name.endswith(f"({name})") and y[0] <= factor <= y[-1]:
+        first = one.pair == name and one.order == 1
+        if one.group == group and first and y[0] <= factor <= y[-1]:
             widths.append(np.interp(factor, y, right) - np.interp(factor, y, left))
     return float(max(widths, default=0.0))
 

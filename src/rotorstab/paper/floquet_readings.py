@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..charts.figure import Panel, Statement
 from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
@@ -27,7 +28,6 @@ from .floquet_numbers import (
     width,
 )
 from .region_panels import Variant
-from .structure import Panel, Statement
 from .verdicts import groups, listed, percent, uphold
 
 __all__ = [

@@ -8,6 +8,21 @@ from dataclasses import replace
 import numpy as np
 
 from .._numerics.roots import is_real
+from ..charts.columns import widened
+from ..charts.figure import (
+    LOAD_KINDS,
+    Array,
+    Figure,
+    Label,
+    Mark,
+    Panel,
+    Region,
+    Series,
+    lettered,
+    parameters,
+)
+from ..charts.modes import modes
+from ..charts.roles import Style
 from ..floquet.resonance import resonances
 from ..model.lumped import lumped
 from ..model.system import System
@@ -17,18 +32,6 @@ from ..whirl.critical_loads import critical_load, flutter_load
 from ..whirl.frequencies import whirl_frequencies
 from .floquet_readings import read_floquet_8
 from .readings import read_figure_8
-from .structure import (
-    LOAD_KINDS,
-    Array,
-    Figure,
-    Mark,
-    Panel,
-    Region,
-    Series,
-    Style,
-    lettered,
-    parameters,
-)
 
 __all__ = ["figure_8"]
 
@@ -71,17 +74,15 @@ def _curves(group: str, style: Style, system: System, loads: Array) -> list[Seri
     """Return every mode's real stretches, and its complex ones as dotted lines of Re ω."""
     curves = load_frequency_curves(system, _refined(system, loads))
     series = []
-    columns = zip(curves.names, curves.frequencies.T, ~is_real(curves.frequencies).T, strict=True)
+    complex_pairs = ~is_real(curves.frequencies)
+    columns = zip(modes(curves.names), curves.frequencies.T, complex_pairs.T, strict=True)
     for mode, column, complex_ in columns:
+        name = f"{group}, {mode.name}"
         real = np.where(complex_, np.nan, column.real)
-        series.append(Series(f"{group}, {mode}", group, style, curves.parameter, real))
+        series.append(Series(name, group, style, curves.parameter, real, mode=mode))
         if complex_.any():
-            # one sample more on each side, so that the stretches meet
-            near = complex_.copy()
-            near[1:] |= complex_[:-1]
-            near[:-1] |= complex_[1:]
-            pair = np.where(near, column.real, np.nan)
-            name = f"{group}, {mode}, {_COMPLEX}"
+            pair = np.where(widened(complex_), column.real, np.nan)
+            name = f"{name}, {_COMPLEX}"
             series.append(Series(name, _COMPLEX, "dotted", curves.parameter, pair))
     return series
 
@@ -198,9 +199,9 @@ def figure_8(
                 y_unit="√(EI/ρAL⁴)",
                 series=(*series, *pairs),
                 labels=tuple(
-                    (0.0, float(one.y[0]), one.name.rsplit(", ", 1)[1])
-                    for one in series
-                    if one.group == "axial force"
+                    Label(0.0, float(line.y[0]), line.mode.name, low=not line.mode.forward)
+                    for line in series
+                    if line.group == "axial force" and line.mode is not None
                 ),
                 x_range=(0.0, largest_load),
                 y_range=(bottom, top),

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .._arguments import number
+from ..charts.figure import Figure, Value, lettered, styled
 from ..model.system import System, fundamental_frequency
 from ..whirl.critical_loads import critical_load
 from .region_panels import Variant, region_panel
-from .structure import Figure, Value, lettered, styled
 
 __all__ = ["own_regions"]
 

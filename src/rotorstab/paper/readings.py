@@ -8,11 +8,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..bolotin.boundaries import boundary_frequencies
+from ..charts.figure import Panel, Series, Statement
 from ..model.lumped import lumped
 from ..model.stiffness import largest_exact_load
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .structure import Panel, Series, Statement
 from .verdicts import judge, percent, say
 
 __all__ = ["read_figure_2", "read_figure_3", "read_figure_8"]
@@ -79,10 +79,6 @@ def read_figure_3(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
     )
 
 
-def _magnitude(panel: Panel, group: str, mode: str) -> Series:
-    return next(one for one in panel.group(group) if one.name == f"{group}, {mode}")
-
-
 def _trend(line: Series, up_to: float, size: bool = True) -> float:
     """Return +1 or −1 for a monotonic |y| (or y) over 0 to a load, 0 for neither."""
     inside = line.y[(line.x <= up_to) & np.isfinite(line.y)]
@@ -108,25 +104,24 @@ def read_figure_8(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
     axial, follower = "axial force", "follower force"
     symmetric = all(
         np.allclose(
-            _magnitude(rest, group, f"{n}F").y, -_magnitude(rest, group, f"{n}B").y, equal_nan=True
+            rest.boundary(group, f"{n}F").y, -rest.boundary(group, f"{n}B").y, equal_nan=True
         )
         for group in (axial, follower)
         for n in (1, 2)
     )
-    fall = all(_trend(_magnitude(rest, axial, mode), buckling) < 0 for mode in ("1F", "2F"))
-    rise = _trend(_magnitude(rest, follower, "1F"), buckling) > 0
-    both = all(_trend(_magnitude(spinning, axial, mode), buckling) < 0 for mode in ("1F", "1B"))
-    forward = _magnitude(spinning, follower, "1F")
-    backward = _magnitude(spinning, follower, "1B")
+    fall = all(_trend(rest.boundary(axial, mode), buckling) < 0 for mode in ("1F", "2F"))
+    rise = _trend(rest.boundary(follower, "1F"), buckling) > 0
+    both = all(_trend(spinning.boundary(axial, mode), buckling) < 0 for mode in ("1F", "1B"))
+    forward = spinning.boundary(follower, "1F")
+    backward = spinning.boundary(follower, "1B")
     at = float(np.interp(buckling, forward.x, forward.y))
     low = float(np.interp(buckling, backward.x, backward.y))
     slow = lumped(rotor, 1.0, tangency=1.0)
     slow_forward = [float(boundary_frequencies(slow, load, 0.0)[1]) / 2 for load in (0.0, buckling)]
-    crossing = _first_zero(_magnitude(spinning, axial, "1B"))
-    meeting = [
-        one for one in rest.series if one.style == "dotted" and one.name.startswith(follower)
-    ]
-    met = min((float(one.x[np.isfinite(one.y)][0]) for one in meeting), default=np.inf)
+    crossing = _first_zero(spinning.boundary(axial, "1B"))
+    # a line has a gap where its frequency is complex; the last sample before it is the meeting
+    gaps = [(line.x, np.isnan(line.y)) for line in rest.group(follower) if np.isnan(line.y).any()]
+    met = min((float(x[max(int(gap.argmax()) - 1, 0)]) for x, gap in gaps), default=np.inf)
     return (
         Statement(
             f"{rest.title}: all curves are symmetric about ω̄ = 0.",
@@ -139,7 +134,7 @@ def read_figure_8(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
             "with the follower load.",
             f"Up to the buckling load: {say(fall, 'true', 'not true')} of the axial, "
             f"{say(rise, 'true', 'not true')} of the follower load."
-            + say(bool(meeting), f" Under the follower load 1 and 2 meet at p̄ = {met:.4f}.", ""),
+            + say(bool(gaps), f" Under the follower load 1 and 2 meet at p̄ = {met:.4f}.", ""),
             judge(fall, rise),
         ),
         Statement(

@@ -10,10 +10,12 @@ from itertools import pairwise
 import numpy as np
 
 from ..bolotin.chart import bolotin_chart
+from ..charts.figure import Label, Mark, Panel, Region, Series
+from ..charts.modes import modes
+from ..charts.roles import Style
 from ..floquet.resonance import resonances
 from ..floquet.tongues.outlines import unstable_outlines
 from ..model.system import System
-from .structure import Mark, Panel, Region, Series, Style
 
 __all__ = ["LOWEST", "Variant", "region_panel"]
 
@@ -67,10 +69,12 @@ def _draw(
     )
     factor = chart.pulsating_load / reference
     series = [
-        Series(f"{variant.group}, {mode}", variant.group, variant.style, column, factor)
-        for mode in _MODES
-        for name, column in zip(chart.names, (chart.frequency / frequency).T, strict=True)
-        if name == mode
+        Series(
+            f"{variant.group}, {mode.name}", variant.group, variant.style, column, factor, mode=mode
+        )
+        for name in _MODES
+        for mode, column in zip(modes(chart.names), (chart.frequency / frequency).T, strict=True)
+        if mode.name == name
     ]
     top = _rightmost(series)
     regions: list[Region] = []
@@ -100,7 +104,7 @@ def _unstable(
         name = f"{variant.group}, unstable {count}" + (f" ({one.name}{order})" if one.name else "")
         x = np.concatenate([one.left, one.right[::-1]]) / frequency
         y = np.concatenate([one.pulsating_loads, one.pulsating_loads[::-1]]) / reference
-        regions.append(Region(name, variant.group, variant.style, x, y))
+        regions.append(Region(name, variant.group, variant.style, x, y, one.name, one.order))
     return regions
 
 
@@ -183,9 +187,9 @@ def region_panel(
         series=tuple(series),
         regions=tuple(regions),
         labels=tuple(
-            (float(one.x[-1]), largest_factor, one.name.rsplit(", ", 1)[1])
-            for one in series[: len(_MODES)]
-            if np.isfinite(one.x[-1])
+            Label(float(line.x[-1]), largest_factor, line.mode.name, low=not line.mode.forward)
+            for line in series[: len(_MODES)]
+            if line.mode is not None and np.isfinite(line.x[-1])
         ),
         x_range=(0.0, highest),
         y_range=(0.0, largest_factor),

@@ -12,12 +12,12 @@ from itertools import pairwise
 import numpy as np
 
 from ..bolotin.boundaries import boundary_frequencies
+from ..charts.figure import Array, Panel, Statement
 from ..model.finite_element import finite_element
 from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .structure import Array, Panel, Statement
 from .verdicts import boundaries, groups, judge, percent, right_of, say
 
 __all__ = [

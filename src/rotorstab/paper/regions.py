@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..charts.figure import LOAD_KINDS, Figure, Statement, lettered, parameters, styled
+from ..charts.roles import Style
 from ..model.finite_element import finite_element, first_modes
 from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
@@ -26,7 +28,6 @@ from .region_readings import (
     read_figure_7,
     read_figure_9,
 )
-from .structure import LOAD_KINDS, Figure, Statement, Style, lettered, parameters, styled
 
 __all__ = ["figure_4", "figure_5", "figure_6", "figure_7", "figure_9"]
 

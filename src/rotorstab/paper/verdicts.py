@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from .structure import Array, Panel, Verdict
+from ..charts.figure import Array, Panel, Verdict
 
 __all__ = ["boundaries", "groups", "judge", "listed", "percent", "right_of", "say", "uphold"]
 
@@ -43,8 +43,8 @@ def boundaries(panel: Panel, group: str, modes: tuple[str, ...] = _MODES) -> Arr
     NaN where a boundary is not real.
     """
     factors = np.linspace(*panel.y_range, 21)
-    lines = {one.name.rsplit(", ", 1)[1]: one for one in panel.group(group)}
-    return np.array([np.interp(factors, lines[mode].y, lines[mode].x) for mode in modes])
+    lines = [panel.boundary(group, mode) for mode in modes]
+    return np.array([np.interp(factors, line.y, line.x) for line in lines])
 
 
 def right_of(one: Array, other: Array) -> bool:

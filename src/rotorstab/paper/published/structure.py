@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from decimal import Decimal
 
 __all__ = ["Published", "item"]
 
@@ -52,7 +53,7 @@ def item(
     note: str = "",
 ) -> Published:
     """Return an entry; allowed is one unit of the last printed digit unless told."""
-    decimals = len(printed.partition(".")[2])
+    decimals = -int(Decimal(printed).as_tuple().exponent)
     if allowed is None:
         allowed = 10.0**-decimals
     return Published(section, quantity, unit, float(printed), decimals, allowed, source, ours, note)

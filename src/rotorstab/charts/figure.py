@@ -1,4 +1,4 @@
-"""What a figure of the paper is, as data: panels of named arrays, and a reading."""
+"""What a figure is, as data: panels of named arrays, parameters and a reading."""
 
 from __future__ import annotations
 
@@ -11,17 +11,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..rotors.shaft_disk import ShaftDisk
+from .modes import Mode
+from .roles import Style
 
 __all__ = [
     "LOAD_KINDS",
     "Figure",
     "Grid",
+    "Label",
     "Mark",
     "Panel",
     "Region",
     "Series",
     "Statement",
-    "Style",
     "Value",
     "Verdict",
     "lettered",
@@ -30,7 +32,6 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
-Style = Literal["solid", "dashed", "dashdot", "dotted"]
 T = TypeVar("T")
 
 LOAD_KINDS: tuple[tuple[str, Style, float], ...] = (
@@ -72,6 +73,8 @@ class Series:
         NaN where the line has a gap; a single point is drawn as a mark.
     color : str, optional
         Where the style alone does not tell groups apart; by default the style's own.
+    mode : Mode, optional
+        The whirl mode that the line follows.
     """
 
     name: str
@@ -80,6 +83,7 @@ class Series:
     x: Array
     y: Array
     color: str | None = None
+    mode: Mode | None = None
 
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
@@ -91,7 +95,8 @@ class Series:
 class Region:
     """One shaded polygon (x, y), each (m,) float, closed from last to first point.
 
-    The first half of the points goes up its left edge, the second down its right one.
+    The first half of the points goes up its left edge, the second down its right one. A tongue
+    has the name of its `pair` of modes and its `order`; others have neither.
     """
 
     name: str
@@ -99,6 +104,8 @@ class Region:
     style: Style
     x: Array
     y: Array
+    pair: str = ""
+    order: int = 0
 
     def __post_init__(self) -> None:
         """Make the arrays read-only."""
@@ -134,6 +141,16 @@ class Grid:
 
 
 @dataclass(frozen=True)
+class Label:
+    """A text at a point of a line; `low` puts it below the point."""
+
+    x: float
+    y: float
+    text: str
+    low: bool = False
+
+
+@dataclass(frozen=True)
 class Mark:
     """A text at a point: the name of a tongue; vertical texts run upwards."""
 
@@ -157,8 +174,8 @@ class Panel:
         "-" where there is none.
     series, regions : tuple
         What is drawn.
-    labels : tuple of (float, float, str)
-        Texts beside lines.
+    labels : tuple of Label
+        Names of lines.
     x_range, y_range : (float, float)
         Of the axes.
     unstable : tuple of Region
@@ -179,14 +196,20 @@ class Panel:
     x_range: tuple[float, float]
     y_range: tuple[float, float]
     regions: tuple[Region, ...] = ()
-    labels: tuple[tuple[float, float, str], ...] = ()
+    labels: tuple[Label, ...] = ()
     unstable: tuple[Region, ...] = ()
     marks: tuple[Mark, ...] = ()
     grid: Grid | None = None
 
     def group(self, name: str) -> tuple[Series, ...]:
         """Return the series of one group."""
-        return tuple(one for one in self.series if one.group == name)
+        return tuple(line for line in self.series if line.group == name)
+
+    def boundary(self, group: str, mode: str) -> Series:
+        """Return the line of a group that follows one mode, such as "1F"."""
+        return next(
+            line for line in self.group(group) if line.mode is not None and line.mode.name == mode
+        )
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,134 @@
+"""Columns of layers, built row by row, and the range of an axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._numerics.roots import is_real
+from ..whirl.campbell import WhirlCurves
+from .modes import Mode, modes
+from .quantities import Wording
+from .roles import ROLES
+
+__all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "widened"]
+
+Array = NDArray[np.float64]
+_TWIN = 1e-6  # of a frequency: two that differ from a conjugate pair by less are one
+
+
+class Lines:
+    """Collects polylines into the columns of a "lines" layer."""
+
+    def __init__(self) -> None:
+        """Start empty."""
+        keys = ("xs", "ys", "name", "role", "group", "mode", "wording")
+        self.columns: dict[str, list[Any]] = {key: [] for key in keys}
+
+    def add(
+        self,
+        xs: Array,
+        ys: Array,
+        name: str | Wording,
+        role: str,
+        group: str | None = None,
+        mode: Mode | None = None,
+    ) -> None:
+        """Add one polyline.
+
+        Parameters
+        ----------
+        xs, ys : (m,) float
+            NaN where the line has a gap.
+        name : str or Wording
+        role : str
+            A key of `ROLES`.
+        group : str, optional
+            Its entry in a printed legend, by default the meaning of its role.
+        mode : Mode, optional
+            The whirl mode that it follows.
+        """
+        group = ROLES[role].meaning if group is None else group
+        wording = name if isinstance(name, Wording) else None
+        row = (xs, ys, str(name), role, group, mode, wording)
+        for column, value in zip(self.columns.values(), row, strict=True):
+            column.append(value)
+
+    def vertical(
+        self, x: float, y_range: tuple[float, float], name: str | Wording, role: str
+    ) -> None:
+        """Add a vertical line across the chart."""
+        self.add(np.array([x, x]), np.array(y_range), name, role)
+
+    def whirl(self, curves: WhirlCurves, roles: tuple[str, str], name: str) -> None:
+        """Add every mode in its role, and apart from it the stretches where its whirl grows.
+
+        Parameters
+        ----------
+        curves : WhirlCurves
+        roles : (str, str)
+            Of backward and of forward modes.
+        name : str
+            With a place {} for the name of the mode.
+        """
+        grows = _growing(curves.frequencies)
+        columns = zip(curves.frequencies.real.T, grows.T, modes(curves.names), strict=True)
+        for column, growing, mode in columns:
+            text = name.format(mode.name)
+            steady = np.where(growing, np.nan, column)
+            self.add(curves.parameter, steady, text, roles[mode.forward], mode=mode)
+            if growing.any():
+                stretch = np.where(widened(growing), column, np.nan)
+                self.add(curves.parameter, stretch, f"{text}, growing", "growing", mode=mode)
+
+
+def widened(stretch: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return a stretch of samples with one more on each side, so that neighbours meet."""
+    wider = stretch.copy()
+    wider[1:] |= stretch[:-1]
+    wider[:-1] |= stretch[1:]
+    return wider
+
+
+def _growing(frequencies: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Return where whirls (m, 2n) grow, or are the decaying twin of one: a conjugate pair.
+
+    Without damping a pair that has met shares its real part, and one of the two grows.
+    """
+    size = np.abs(frequencies)
+    grows = (frequencies.imag < 0) & ~is_real(frequencies)
+    twins = frequencies[:, :, None] - frequencies[:, None, :].conj()
+    near = np.abs(twins) <= _TWIN * size[:, :, None]
+    return np.asarray(grows | (near & grows[:, None, :]).any(axis=2))
+
+
+def mark_columns(rows: Sequence[tuple[Any, ...]], *extra: str) -> dict[str, Sequence[Any]]:
+    """Return columns x, y, name, wording and any extra ones from rows (x, y, name, *extra).
+
+    A name may be a str or a `Wording`.
+    """
+    columns: list[Sequence[Any]] = [list(column) for column in zip(*rows, strict=True)]
+    columns = columns or [[] for _ in range(3 + len(extra))]
+    x, y, names, *others = columns
+    result: dict[str, Any] = {
+        "x": np.array(x, float),
+        "y": np.array(y, float),
+        "name": [str(name) for name in names],
+        "wording": [name if isinstance(name, Wording) else None for name in names],
+    }
+    return result | dict(zip(extra, others, strict=True))
+
+
+def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:
+    """Return label columns of (x, y, text, side) rows; the side is where the text goes."""
+    return mark_columns(rows, "side")
+
+
+def around_zero(low: float, high: float) -> tuple[float, float]:
+    """Return a range from below 0 to above it, with room, in steps so that it rarely moves."""
+    step = 0.5 if max(-low, high) < 4 else 2.0
+    below, above = (step * max(1.0, float(np.ceil(end * 1.08 / step))) for end in (-low, high))
+    return -below, above
