@@ -1,1 +1,1 @@
-"""Speed of the solver and of the dashboard: `python -m benchmarks [name …]`."""
+"""Programs that measure the solver and the dashboard: `python -m benchmarks [name …]`."""

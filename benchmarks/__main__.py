@@ -1,7 +1,7 @@
 """Run the benchmarks, or those named on the command line: `python -m benchmarks solver redraw`.
 
-`--quick` takes a fraction where a benchmark has one. The long ones run only
-by name.
+With `--quick`, benchmarks that have a short form run that. The long benchmarks run only when they
+are named.
 """
 
 import importlib

@@ -1,10 +1,10 @@
-"""A hostile client beside an honest one: does the server live, leak or slow down?
+"""Measure a server under attack: whether it survives, leaks memory or becomes slow for others.
 
-One client, a process of its own, sends malformed messages, messages full of hostile values and the
-dearest questions that are allowed, holds idle connections and asks for files, as fast as it is
-let; a bystander moves a slider all the while. The solver inside the server is spied on: every
-number that reaches it must be finite and within State's bounds (`tests/testing/spy.py`).
-All streams are seeded.
+One client, in its own process, sends malformed messages, messages with hostile values and the most
+expensive questions that are allowed. It also holds idle connections and requests files. It does
+all of this as fast as the server allows. Meanwhile another user, the bystander, moves a slider. A
+check inside the server (`tests/testing/spy.py`) asserts that every number that reaches the solver
+is finite and within the bounds of `State`. All streams have a fixed seed.
 """
 
 import argparse

@@ -1,7 +1,8 @@
-"""A class at once on the real deployment: nginx and two workers. `--quick` takes a fraction.
+"""Measure a whole class on the real deployment, nginx and two workers; `--quick` is a short form.
 
-Each row says what was promised, what was measured and whether it is met. The load, nginx and
-the workers share this machine, so a busy machine is part of every figure.
+Each row of the table gives the target, the measured value and whether the target is met. The
+simulated class, nginx and the workers share one machine, so other programs on it affect every
+value.
 """
 
 import asyncio
@@ -139,7 +140,7 @@ async def full_house(folder, size):
         memory = deployment.memory()
         yield Row(
             f"{size.idle} connected, idle for {size.hold} s",
-            "held; the next is refused politely",
+            "held; the next one gets 503 with Retry-After",
             f"{opened} opened, {held} held, {len(answered)} of 20 asked answered;"
             f" the next: {refusal.code if refusal else 'not refused'},"
             f" Retry-After {refusal.headers.get('Retry-After') if refusal else '–'}"
@@ -169,8 +170,8 @@ async def stalls(deployment, size):
     await opening.empty(deployment)
     yield Row(
         f"{size.stalled} clients that send 20 moves/s and read nothing, 50 half requests",
-        "the server lives; bystanders go on",
-        f"bystanders: p95 {1e3 * before.p95:.0f} ms before, {1e3 * during.p95:.0f} ms during,"
+        "the server keeps running; no errors of other users",
+        f"other users: p95 {1e3 * before.p95:.0f} ms before, {1e3 * during.p95:.0f} ms during,"
         f" {len(during.errors)} errors; workers grew {grown:.0f} MB",
         not during.errors and len(deployment.workers()) == 2,
     )
@@ -185,10 +186,10 @@ async def kills(deployment, size):
     worst = max(class_.back, default=float("nan"))
     yield Row(
         f"worker killed (−9) {size.kills} times",
-        "bystanders undisturbed; victims back with their state within 15 s",
-        f"{len(class_.back)} victims back: p50 {percentile(class_.back, 0.5):.1f} s,"
+        "no errors of other users; affected users back with their state within 15 s",
+        f"{len(class_.back)} affected users back: p50 {percentile(class_.back, 0.5):.1f} s,"
         f" worst {worst:.1f} s, {class_.lost_state} without their state;"
-        f" bystanders: {len(class_.disturbed)} errors",
+        f" other users: {len(class_.disturbed)} errors",
         worst <= BACK and not class_.lost_state and not class_.disturbed,
     )
     if class_.disturbed:

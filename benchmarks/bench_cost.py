@@ -1,9 +1,9 @@
-"""The dearest state: what one request or message may cost the thread that serves the pages.
+"""Search for the request or message that takes most time of the thread that serves the pages.
 
 An evolutionary search over every input, three pins and a marker looks for the address whose
-opening or whose messages take most. Each candidate runs in a forked process of its own, so that
-no cache helps and a bad one harms nobody. As on the server, the full growth map is somebody
-else's work: the thread makes the coarse one.
+opening or whose messages take the most time. Each candidate runs in its own forked process, so
+that no cache shortens it and a failure affects nothing else. As on the server, another process
+computes the full growth map, and the thread computes the coarse one.
 """
 
 import argparse

@@ -1,10 +1,10 @@
-"""Finite elements: what they cost on Fig. 4, and how far reduced ones are off over the sliders.
+"""Finite elements: their time for Fig. 4, and the errors of reduced ones over the slider ranges.
 
 The first tables time Fig. 4's boundaries by the lumped model, by finite elements and by reduced
-ones in one run, and print ratios: absolute times depend on the machine. The paper's point was the
-cost of its 80 × 80 comparator; 20 elements here are 40 complex degrees of freedom, 80 × 80 in
-first-order form as well (160 × 160 for the boundaries, whose two load levels K₋ and K₊ are
-coupled by the spin).
+ones in one run, and print ratios: absolute times depend on the machine. The paper discusses the
+cost of its finite-element model with 80 × 80 matrices; 20 elements here are 40 complex degrees of
+freedom, 80 × 80 in first-order form as well (160 × 160 for the boundaries, whose two load levels
+K₋ and K₊ are coupled by the spin).
 
 The other tables draw rotors at random from the ranges of the dashboard's sliders and compare the
 reduced elements with all of them: whirl frequencies, growth rates, and the edges of tongues that

@@ -1,4 +1,4 @@
-"""Cost of the Floquet chart: against DOP853 a pixel, the quartic floor, pixels and modes.
+"""Time of the growth map against DOP853 at each pixel, against the quartic, by pixels and modes.
 
 Run: python benchmarks/bench_floquet.py [--quick]
 """

@@ -1,6 +1,6 @@
-"""What garbage collection costs a worker while pages come and go, with and without `gc.freeze`.
+"""Time of garbage collection in a worker while pages open and close, with and without `gc.freeze`.
 
-Each form runs in a process of its own: 30 pages are held, the oldest is closed and a new one built.
+Each case runs in its own process: it holds 30 pages, closes the oldest one and builds a new one.
 """
 
 import gc

@@ -1,4 +1,4 @@
-"""Margins of random rotors against a search of their own: how many are wrong, and what they cost.
+"""Compare margins of random rotors with an independent search: how many are wrong, and the time.
 
 Run: python -m benchmarks margin [--quick]
 """

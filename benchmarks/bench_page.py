@@ -1,4 +1,4 @@
-"""First paint and weight of the page: cold, then with a filled cache, in headless Chromium."""
+"""First paint and size of the page, with an empty and a filled cache, in headless Chromium."""
 
 import statistics
 import tempfile

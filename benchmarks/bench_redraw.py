@@ -1,9 +1,10 @@
-"""Slider to painted: the dashboard against bare Bokeh pages that patch the same arrays.
+"""Time from a slider to the painted charts: the dashboard against bare Bokeh pages.
 
-From the slider's input event to the last of the three charts painted with the arrays that the
-solver returns for that value, in a headless Chromium, alternating between three pages: the
-dashboard, a bare page of the same arrays, and one without Floquet's map. Then how long until
-the full map is painted, and sustained dragging at 60 events/s: what happens after the last event.
+The time runs from the input event of the slider until the last of the three charts is painted with
+the arrays that the solver returns for that value, in a headless Chromium. It is measured in turns
+on three pages: the dashboard, a bare page that patches the same arrays, and one without the growth
+map. Then the time until the full map is painted is measured, and, after dragging with 60 events
+per second, the time that the page needs after the last event.
 """
 
 import argparse

@@ -2,9 +2,10 @@
 
     OPENBLAS_NUM_THREADS=1 python benchmarks/bench_solver.py
 
-Both sides run in one process, turn by turn, and must give the same numbers. The loop does
-what a reader of the paper would write: the polynomial of Eq. (24) and `numpy.roots`, the
-first-order matrix and `numpy.linalg.eigvals`. The lean loop hoists all that can be hoisted.
+Both run in one process, in turns, and must give the same numbers. The loop is what a reader of the
+paper would write: the polynomial of Eq. (24) and `numpy.roots`, the first-order matrix and
+`numpy.linalg.eigvals`. A second, lean loop computes what does not change only once, before it
+begins.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Outlines of random rotors against single points: what is missed, what is false.
+"""Compare outlines of random rotors with single points: tongues that are missed or false.
 
 `python -m benchmarks tongues` takes some ten minutes on one core, `--quick` one. Every rotor is
 scanned along the top row of its chart, θ̄ from 0.4 to 16 ω_n, by `floquet_solution` alone

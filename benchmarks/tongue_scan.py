@@ -1,7 +1,8 @@
-"""What single points say of one row of a chart, found without the product's own search.
+"""Unstable intervals of one row of a chart from single points, without the search of the library.
 
-Growth rates and multipliers on a fine scan, each of four multipliers followed along it; where two
-pass each other, or the growth has a peak, the place is scanned again, three times finer each.
+Growth rates and multipliers are computed on a fine scan, and each of the four multipliers is
+followed along it. Where two of them pass each other, or where the growth has a peak, the interval
+is scanned again, each time three times finer.
 """
 
 from __future__ import annotations

@@ -64,10 +64,10 @@ window.rotorstab = (() => {
     lost: `The connection to the server was lost. ${RETURNS}`,
     silent: "The server does not answer at the moment. What you set here is kept, and is sent as soon as the server answers.",
     file: `A part of this page could not be loaded: %. ${TRIES}`,
-    loading: `A part of this page has not arrived yet: the network is slow, or ${WAY} holds it back. ${TRIES}`,
+    loading: `A part of this page has not arrived yet: the network is slow, or ${WAY} delays it. ${TRIES}`,
     refused: `The page is here, but its live connection to the server (a WebSocket) is refused. Either ${WAY} does not let it through, or the server does not accept this address. ${TRIES}`,
-    hangs: `The page is here, but its live connection to the server (a WebSocket) does not open: ${WAY} may hold it back. ${TRIES}`,
-    mute: `The live connection to the server (a WebSocket) is open, but the page does not get what it waits for: the server is busy, or ${WAY} holds it back. ${TRIES}`,
+    hangs: `The page is here, but its live connection to the server (a WebSocket) does not open: ${WAY} may block it. ${TRIES}`,
+    mute: `The live connection to the server (a WebSocket) is open, but no data arrives: the server is busy, or ${WAY} blocks the data. ${TRIES}`,
   };
 
   // before the page has its own place for it, where a file holds up the rest

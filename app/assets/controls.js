@@ -35,7 +35,7 @@ export function render({ model, el }) {
   }
 
   function heading(field, id) {
-    const help = node("span", { class: "help", id: `${id}-help`, role: "tooltip" }, field.doc);
+    const help = node("span", { class: "help", id: `${id}-help`, role: "tooltip" }, ...page.rich(field.doc));
     const mark = node("button", { class: "why", type: "button", "aria-label": `What is ${field.label}?`, "aria-describedby": `${id}-help` }, "?");
     return node("div", { class: "head" },
       node("label", { for: id, id: `${id}-label` },

@@ -68,7 +68,7 @@ window.rotorstab.inspector = (() => {
     const card = one(".card.pins");
     card.hidden = !pins;
     const full = Boolean(pins && pins.full);
-    const why = full ? "All places are taken: remove a pin first." : "";
+    const why = full ? "There are three pins already: remove one first." : "";
     Object.assign(one(".pin-add"), { disabled: full, title: why });
     one("[data-pin-full]").textContent = why;
     if (!pins) return;
@@ -100,7 +100,7 @@ window.rotorstab.inspector = (() => {
       return row;
     };
     card.querySelector("thead").replaceChildren(line(["What differs", "Now", ...pins.names.map(({ name }) => name)], "th"));
-    card.querySelector("tbody").replaceChildren(...(pins.rows.length ? pins.rows.map((cells) => line(cells, "td")) : [line(["Nothing yet: move a slider."], "td")]));
+    card.querySelector("tbody").replaceChildren(...(pins.rows.length ? pins.rows.map((cells) => line(cells, "td")) : [line(["Nothing differs yet: move a slider."], "td")]));
   }
 
   document.addEventListener("DOMContentLoaded", () => {

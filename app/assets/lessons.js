@@ -110,7 +110,7 @@ window.rotorstab.lessons = (() => {
     });
     if (step.has_set) rows.push(button("Set it for me", () => page.send({ type: "lesson-set" })));
     for (const name of step.look) {
-      const words = name === "inspector" ? "Look inside the point" : step.look.length > 1 ? `Show the ${name} chart` : "Show the chart";
+      const words = name === "inspector" ? "Show the marked point" : step.look.length > 1 ? `Show the ${name} chart` : "Show the chart";
       rows.push(button(words, () => card(name)?.scrollIntoView({ block: "start" })));
     }
     place("move").replaceChildren(...rows);
@@ -154,7 +154,7 @@ window.rotorstab.lessons = (() => {
     }
     // the right answer that was given stays given
     if (counted && !right && !shown && passed(progress(running.key).steps[running.step])) {
-      say("Not this one. The answer that you had before stands.", "note");
+      say("This answer is not right. Your earlier right answer still counts.", "note");
       return;
     }
     // what is not counted is no answer yet: a number with its unit, say

@@ -140,11 +140,11 @@
     for (const place of document.querySelectorAll("[data-number]")) {
       const value = numbers[place.dataset.number];
       place.textContent = number(value);
-      if (value !== null) place.append(small(place.dataset.number === "fundamental" ? " Hz" : ` ${load_unit}`));
+      if (value !== null) place.append(small(place.dataset.number === "fundamental" ? "\u00a0Hz" : `\u00a0${load_unit}`));
     }
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
-      place.replaceChildren(number(real), small(" Hz"));
+      place.replaceChildren(number(real), small("\u00a0Hz"));
       if (grows(imaginary)) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
     }
   }
@@ -186,7 +186,7 @@
     const words = document.querySelector("[data-hidden-layers]");
     words.hidden = !off.length;
     const last = off.pop();
-    words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. Switch on in the legend or under Charts.` : "";
+    words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. The legend switches layers on and off.` : "";
   }
 
   // the legend names the load–frequency curves that are drawn
@@ -256,7 +256,7 @@
   async function copy(text, what) {
     try {
       await navigator.clipboard.writeText(text); // there is no clipboard without https
-      tell(`${what} is on the clipboard.`);
+      tell(`${what} has been copied.`);
       return true;
     } catch { return false; }
   }
@@ -264,7 +264,7 @@
   function copySelected(what) {
     getSelection().selectAllChildren(dialog().querySelector("code"));
     const done = document.execCommand("copy");
-    tell(done ? `${what} is on the clipboard.` : `${what} is selected: copy it with Ctrl+C (⌘C on a Mac, or hold a finger on it).`);
+    tell(done ? `${what} has been copied.` : `${what} is selected: copy it with Ctrl+C (⌘C on a Mac; on a touch screen, press and hold it).`);
   }
 
   // -- the address: the state of the last answer, and the page in view --------------
@@ -302,7 +302,7 @@
     query = data.query;
     // at rest: browsers refuse an address that changes with every frame
     if (data.at_rest && !page.left) address();
-    const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: this disk is a thought experiment."].filter(Boolean);
+    const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: such a disk cannot exist."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
     notice.replaceChildren(...rich(notes.join(" ")));

@@ -139,10 +139,10 @@ window.rotorstab.shaft = (() => {
     const scale = data.largest === null ? "" : ` = ${page.written(data.largest, 3)} in the chart above`;
     const follower = data.tangency === 1 ? "The load turns with the tip." : data.tangency === 0 ? "The load keeps its direction." : "The load turns with part of the tip’s slope.";
     words.textContent = levelled
-      ? `Not to scale: each moment is drawn as if the motion did not ${data.growth > 0 ? "grow" : "decay"}, by a factor of ${page.written(Math.exp(Math.min(600, data.growth * data.dt * (data.count - 1))), 3)} over the stretch. ${follower}`
-      : `Not to scale: the largest excursion of the stretch${scale} is drawn as 30 % of the height. ${follower}`;
-    canvases.side.setAttribute("aria-label", `Side view of the shaft at t/T = ${(now.time / data.period).toFixed(2)}: tip at ${now.v.toFixed(2)} of the largest excursion. Space plays and pauses, arrow keys step.`);
-    canvases.end.setAttribute("aria-label", `End view: disk centre at V ${now.v.toFixed(2)}, W ${now.w.toFixed(2)} of the largest excursion.`);
+      ? `Not to scale: the motion is drawn as if it did not ${data.growth > 0 ? "grow" : "decay"}; over the time shown it changes by a factor of ${page.written(Math.exp(Math.min(600, data.growth * data.dt * (data.count - 1))), 3)}. ${follower}`
+      : `Not to scale: the largest displacement${scale} is drawn as 30 % of the height. ${follower}`;
+    canvases.side.setAttribute("aria-label", `Side view of the shaft at t/T = ${(now.time / data.period).toFixed(2)}: tip at ${now.v.toFixed(2)} of the largest displacement. Space plays and pauses, arrow keys step.`);
+    canvases.end.setAttribute("aria-label", `End view: disk centre at V ${now.v.toFixed(2)}, W ${now.w.toFixed(2)} of the largest displacement.`);
   }
 
   // -- time ----------------------------------------------------------------------

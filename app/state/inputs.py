@@ -59,21 +59,23 @@ class Inputs(param.Parameterized):
         default="axial",
         objects=["axial", "partly", "follower"],
         label="Load type",
-        doc="Axial keeps its direction; a follower load turns with the tip; partly: by a share μ.",
+        doc="An axial load keeps its direction; a follower load turns with the tip; a partly "
+        "follower load turns by the fraction μ of the slope of the tip.",
     )
     tangency = param.Number(
         default=0.5,
         bounds=(0.0, 1.0),
         step=0.01,
-        label="Tangency",
-        doc="How much of the tip's slope a partly follower load takes: 0 axial, 1 follower.",
+        label="Tangency (partly follower)",
+        doc="Fraction of the tip's slope by which a partly follower load turns: 0 axial, 1 "
+        "follower. It has no effect on an axial or a follower load.",
     )
     static_load_factor = param.Number(
         default=0.5,
         bounds=(0.0, 0.95),
         step=0.01,
         label="Static load factor",
-        doc="Steady part of the load, as a share of the reference load. Compression is positive.",
+        doc="Steady part of the load as a fraction of the reference load. Compression is positive.",
     )
     spin_speed = param.Number(
         default=2.0,
@@ -87,35 +89,38 @@ class Inputs(param.Parameterized):
         bounds=(0.0, 0.1),
         step=0.0002,
         label="Shear parameter",
-        doc="EI/(κGAL²): 0 is the Euler–Bernoulli shaft, larger is softer in shear.",
+        doc="EI/(κGAL²). At 0 it is the Euler–Bernoulli shaft; larger values are softer in shear.",
     )
     disk_mass = param.Number(
         default=BASE_CASE.disk_mass,
         bounds=(0.5, 20.0),
         step=0.05,
         label="Disk mass",
-        doc="Mass of the disk over the mass of the shaft. The model neglects the shaft: trust ≥ 3.",
+        doc="Mass of the disk divided by the mass of the shaft. The lumped model neglects the mass "
+        "of the shaft: use it for 3 or more.",
     )
     diametral_inertia = param.Number(
         default=BASE_CASE.diametral_inertia,
         bounds=(0.01, 3.0),
         step=0.01,
         label="Diametral inertia",
-        doc="The disk's moment of inertia about a diameter, over ρAL³.",
+        doc="The disk's moment of inertia about a diameter, divided by ρAL³.",
     )
     polar_inertia = param.Number(
         default=BASE_CASE.polar_inertia,
         bounds=(0.0, 6.0),
         step=0.02,
         label="Polar inertia",
-        doc="The disk's inertia about the shaft, over ρAL³. At most 2 Ī_D for a rigid body.",
+        doc="The disk's moment of inertia about the shaft, divided by ρAL³. A rigid body has at "
+        "most 2 Ī_D.",
     )
     reference = param.Selector(
         default="buckling",
         objects=["buckling", "flutter"],
         label="Load factors refer to",
-        doc="Static buckling load (the paper's choice for both load types), or the flutter load "
-        "of the resting rotor under a follower load.",
+        doc="The load that a load factor of 1 stands for: the static buckling load (the paper's "
+        "choice for both load types), or the flutter load of the resting rotor under a follower "
+        "load.",
     )
     largest_factor = param.Number(
         default=1.0,
@@ -142,7 +147,7 @@ class Inputs(param.Parameterized):
         default="linear",
         objects=["linear", "exact", "both"],
         label="Stiffness in the load–frequency chart",
-        doc="The paper's linear coefficients, the exact ones of its Appendix A, or both.",
+        doc="The paper's linear coefficients, the exact coefficients of its Appendix A, or both.",
     )
 
     external_damping = param.Number(
@@ -150,83 +155,87 @@ class Inputs(param.Parameterized):
         bounds=(0.0, 0.2),
         step=0.001,
         label="External damping",
-        doc="Damping ratio ζ_e of forces on the moving disk: C_e = 2ζ_e ωₙ M. The paper has none.",
+        doc="Damping ratio ζ_e of forces on the moving disk, C_e = 2ζ_e ωₙ M. The paper has no "
+        "damping.",
     )
     internal_damping = param.Number(
         default=0.0,
         bounds=(0.0, 0.2),
         step=0.001,
         label="Rotating damping",
-        doc="Damping ratio ζ_i inside the turning shaft: C_i = (2ζ_i/ωₙ) Ka. It can destabilise.",
+        doc="Damping ratio ζ_i inside the rotating shaft, C_i = (2ζ_i/ωₙ) Ka. It can destabilise "
+        "the rotor.",
     )
     law = param.Selector(
         default="linear",
         objects=["linear", "exact"],
         label="Stiffness law",
-        doc="How the lumped shaft's stiffness depends on the load: as in the paper, or exactly.",
+        doc="How the stiffness of the lumped shaft depends on the load: linearly, as in the paper, "
+        "or exactly.",
     )
     model = param.Selector(
         default="lumped",
         objects=["lumped", "finite elements"],
         label="Model",
-        doc="The paper's two degrees of freedom, or Timoshenko elements reduced to 4 "
-        "(r² = Φ/3, or r of the shaft in SI where that gives Φ): first four whirls right to "
-        "0.15 %, the third mode to 1 %; edges are of two modes, six of seven right to 1 %.",
+        doc="Lumped: the paper's two degrees of freedom. Finite elements: a Timoshenko shaft with "
+        "its own mass, reduced to 4 coordinates (r² = Φ/3, or r of the shaft in SI if that has "
+        "this Φ). Its first four whirl frequencies are accurate to 0.15 %, the third mode to 1 %. "
+        "The edges of tongues use two modes; six of seven are accurate to 1 %.",
     )
     show_growth = param.Boolean(
         default=True,
         label="Floquet growth",
-        doc="Colours where the rotor is truly unstable.",
+        doc="Colours where the rotor is unstable by Floquet’s method.",
     )
     show_bolotin = param.Boolean(
         default=True,
         label="Bolotin regions",
-        doc="Outlines and hatching of the paper's method.",
+        doc="Boundaries and hatching of Bolotin’s method, which the paper uses.",
     )
     show_disagreement = param.Boolean(
         default=True,
         label="Disagreement",
-        doc="Shades where the two methods differ.",
+        doc="Shading where the two methods disagree.",
     )
     growth_unit = param.Selector(
         default="per time",
         objects=["per time", "per period"],
         label="Growth shown",
-        doc="Growth rate σ̄ per unit of model time, or σ̄T per period of the load.",
+        doc="Growth rate σ̄ per unit of non-dimensional time, or σ̄T per period of the load.",
     )
 
     marker = param.Boolean(
         default=False,
         label="Marker",
-        doc="Looks inside one point of the instability chart.",
+        doc="Shows the multipliers and the motion at one point of the instability chart.",
     )
     marker_frequency = param.Number(
         default=1.68,
         bounds=(0.05, 40.0),
         step=0.01,
         label="Marker frequency",
-        doc="θ/ωₙ of the point that is looked into.",
+        doc="θ/ωₙ of the marked point.",
     )
     marker_factor = param.Number(
         default=0.5,
         bounds=(0.0, 2.0),
         step=0.01,
         label="Marker factor",
-        doc="β_d of the point that is looked into.",
+        doc="β_d of the marked point.",
     )
 
     initial = param.Selector(
         default="knock",
         objects=["knock", "noise", "mode 1B", "mode 1F", "mode 2B", "mode 2F"],
         label="Starts from",
-        doc="A blow on the disk along V, random motion of every whirl mode, or one whirl mode.",
+        doc="An impact on the disk along V, random motion of every whirl mode, or one whirl mode.",
     )
     seed = param.Number(
         default=1.0,
         bounds=(0.0, 999.0),
         step=1.0,
         label="Seed of the noise",
-        doc="Another whole number gives another random start.",
+        doc="Each whole number gives its own random start.",
     )
     periods = param.Number(
         default=12.0,
@@ -240,7 +249,7 @@ class Inputs(param.Parameterized):
         default="non-dimensional",
         objects=["non-dimensional", "SI"],
         label="Units of the charts",
-        doc="The paper’s numbers, or rpm, Hz and N for the shaft below.",
+        doc="Non-dimensional numbers as in the paper, or rpm, Hz and N for the shaft below.",
     )
     shaft_length = param.Number(
         default=TABLE_1_SI["length"],
@@ -260,28 +269,28 @@ class Inputs(param.Parameterized):
         default="own",
         objects=["own", *MATERIALS],
         label="Material",
-        doc="Handbook values for E, G and ρ with Cowper’s κ, or the own values below.",
+        doc="Handbook values of E, G and ρ with Cowper’s κ, or your own values below.",
     )
     youngs_modulus = param.Number(
         default=TABLE_1_SI["youngs_modulus"] / 1e9,
         bounds=(0.01, 2000.0),
         step=0.1,
         label="Young’s modulus",
-        doc="Elastic modulus E of an own material.",
+        doc="Elastic modulus E of your own material.",
     )
     shear_modulus = param.Number(
         default=TABLE_1_SI["shear_modulus"] / 1e9,
         bounds=(0.004, 1000.0),
         step=0.1,
         label="Shear modulus",
-        doc="Shear modulus G of an own material.",
+        doc="Shear modulus G of your own material.",
     )
     density = param.Number(
         default=TABLE_1_SI["density"],
         bounds=(100.0, 30000.0),
         step=1.0,
         label="Density",
-        doc="Density ρ of an own material.",
+        doc="Density ρ of your own material.",
     )
     shear_coefficient = param.Number(
         default=TABLE_1_SI["shear_coefficient"],

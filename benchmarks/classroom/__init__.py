@@ -1,1 +1,1 @@
-"""A class at once: what `bench_classroom` opens, moves, kills and counts."""
+"""The parts of `bench_classroom`: simulated users, the deployment, faults and tables."""

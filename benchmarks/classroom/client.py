@@ -1,7 +1,7 @@
-"""One user of the real page without a browser: its requests, its messages, its patience.
+"""One simulated user of the real page, without a browser.
 
-The messages are those of `app/assets/controls.js`, the framing is Bokeh's own; patches are
-received and assembled whole, not drawn.
+It sends the messages that `app/assets/messages.js` sends, in Bokeh's own frames. It receives and
+assembles the patches but does not draw them.
 """
 
 import asyncio

@@ -1,4 +1,4 @@
-"""The deployment under test: nginx and workers as shipped, on loopback, of a folder of its own."""
+"""The deployment under test: nginx and workers as delivered, on loopback, with their own folder."""
 
 import random
 import re

@@ -1,4 +1,4 @@
-"""Faults: workers killed outright, clients that stall or say nothing, and who notices."""
+"""Faults: killed workers, clients that stall or send nothing, and their effect on other users."""
 
 import asyncio
 import os

@@ -1,4 +1,4 @@
-"""The floor of a class: a bare Bokeh page that patches the same arrays, two processes of it."""
+"""The comparison for a class: a bare Bokeh page that patches the same arrays, in two processes."""
 
 import asyncio
 import json

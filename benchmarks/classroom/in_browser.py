@@ -1,4 +1,4 @@
-"""A worker killed under a real page in a real browser."""
+"""A worker is killed while a real browser shows one of its pages."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""A class that moves sliders: how long until the data is there."""
+"""A class that moves sliders: the time until the data arrives."""
 
 import asyncio
 import time

@@ -1,4 +1,4 @@
-"""Opening, holding and leaving: a class that arrives, a full house, months of visitors."""
+"""Pages that are opened, held and closed: a class that arrives, a full server, many visits."""
 
 import asyncio
 import time

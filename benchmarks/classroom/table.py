@@ -1,4 +1,4 @@
-"""A row of the table: what was promised, what was measured, whether they agree."""
+"""A row of the table: the target, the measured value, and whether the target is met."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ __all__ = ["Row", "percentile", "print_head"]
 
 @dataclass(frozen=True)
 class Row:
-    """One line; `met` is None where nothing was promised."""
+    """One line; `met` is None where there is no target."""
 
     what: str
     target: str

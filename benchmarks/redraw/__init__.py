@@ -1,1 +1,1 @@
-"""What `bench_redraw` serves and runs in the browser."""
+"""Pages and scripts of `bench_redraw`."""

@@ -1,7 +1,7 @@
-"""The floor of the stack: stock Bokeh sliders that patch the same arrays, computed beforehand.
+"""The comparison for a redraw: plain Bokeh sliders that patch the same arrays, computed before.
 
 Served by `bokeh serve`. The figures have the dashboard's sizes (from FLOOR_SIZES), glyphs,
-ranges and columns; nothing here uses Panel, and a callback only looks its arrays up.
+ranges and columns; it does not use Panel, and a callback only looks its arrays up.
 """
 
 import json

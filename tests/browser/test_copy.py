@@ -28,7 +28,7 @@ def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(open_page, ref
         dialog.wait_for(state="visible")
         if not begins:
             dialog.get_by_role("button", name="Copy").click()
-        words = "is selected: copy it with Ctrl+C" if refused else "is on the clipboard"
+        words = "is selected: copy it with Ctrl+C" if refused else "has been copied"
         told = dialog.get_by_role("status")
         told.filter(has_text=words).wait_for(state="visible")
         # nothing lies over it

@@ -101,9 +101,10 @@ def test_a_layer_is_switched_off_and_on_in_the_legend(page):
     for name, words, told in [
         ("show_growth", "unstable (Floquet)", "the map of growth"),
         ("show_bolotin", "Bolotin region", "Bolotin regions"),
-        ("show_disagreement", "Bolotin only", "the shading of disagreement"),
+        ("show_disagreement", "stable, but in a Bolotin region", "the shading of disagreement"),
     ]:
-        button = legend.get_by_role("button", name=words)
+        exact = words == "Bolotin region"
+        button = legend.get_by_role("button", name=words, exact=exact)
         assert button.get_attribute("aria-pressed") == "true"
         button.click()
         settle(page, name, False)
@@ -111,7 +112,7 @@ def test_a_layer_is_switched_off_and_on_in_the_legend(page):
         assert button.get_attribute("aria-pressed") == "false"
         struck = "one => getComputedStyle(one.closest('li')).textDecorationLine"
         assert button.evaluate(struck) == "line-through"
-        assert hidden.inner_text() == f"Hidden: {told}. Switch on in the legend or under Charts."
+        assert hidden.inner_text() == f"Hidden: {told}. The legend switches layers on and off."
         open_groups(page)
         assert not page.locator(f"#rs-{name}").is_checked()
         button.press("Enter")
@@ -124,7 +125,7 @@ def test_what_is_hidden_is_told_in_one_sentence(open_page):
     page = open_page(path="/app?v=1&growth=0&bolotin=0&differ=0")
     assert page.locator("[data-hidden-layers]").inner_text() == (
         "Hidden: the map of growth, Bolotin regions and the shading of disagreement. "
-        "Switch on in the legend or under Charts."
+        "The legend switches layers on and off."
     )
     # the strokes of a hidden layer are muted with it
     muted = page.locator("[aria-labelledby=instability-title] .legend li.off")
@@ -158,7 +159,7 @@ def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     assert lines
     assert set(lines) == {1}
     full = page.locator("[data-pin-full]")
-    assert full.inner_text() == "All places are taken: remove a pin first."
+    assert full.inner_text() == "There are three pins already: remove one first."
     assert page.locator(".pin-add").is_disabled()
 
 
