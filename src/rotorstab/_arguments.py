@@ -1,4 +1,4 @@
-"""Checks of arguments: one message form, "`name` must be in [low, high], got value"."""
+"""Checks of arguments. All messages have the form "`name` must be in [low, high], got value"."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._types import Array, ArrayLike
 __all__ = ["LARGEST", "choice", "extra_is_missing", "number", "numbers", "series", "whole_number"]
 
 LARGEST = 1e9
-"""Largest spin speed, load and damping ratio, far past any shaft: beyond, answers are rounding."""
+"""Largest spin speed, load and damping ratio [-]; beyond, results would be rounding errors only."""
 
 
 def _interval(low: float, high: float, open_low: bool, open_high: bool) -> str:
@@ -31,7 +31,7 @@ def _shown(value: object) -> str:
 
 
 def extra_is_missing(module: str, error: ImportError) -> ImportError:
-    """Return the error of a module that draws, where what it draws with is not installed."""
+    """Return the error for a module that draws when its drawing library is not installed."""
     package = (error.name or "a drawing library").partition(".")[0]
     return ImportError(
         f"{module} needs {package}, which is not installed: pip install 'rotorstab[app]'",
@@ -48,12 +48,23 @@ def numbers(
     open_low: bool = False,
     open_high: bool = False,
 ) -> Array:
-    """Return `value` as a float array whose every entry is finite and inside the interval.
+    """Return `value` as a float array, every entry of which is finite and inside an interval.
+
+    Parameters
+    ----------
+    name : str
+        Name of the argument, for the message.
+    value : array of numbers
+    low, high : float
+        Ends of the interval.
+    open_low, open_high : bool
+        Whether an end is excluded from the interval.
 
     Raises
     ------
     ValueError
-        With the argument's name, the allowed interval and the first offending value.
+        If `value` is not real or an entry is outside. The message holds the name, the interval
+        and the first wrong value.
     """
     try:
         array = np.asarray(value)

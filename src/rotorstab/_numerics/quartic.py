@@ -1,6 +1,6 @@
 """Roots of many real quartics at once.
 
-NumPy solves one polynomial a call; a chart needs a thousand. Each quartic is split into
+NumPy solves one polynomial per call, and a chart needs a thousand. Here each quartic is split into
 two real quadratics: all arithmetic is real, and complex roots are exact conjugates.
 """
 
@@ -13,9 +13,9 @@ from .._types import Array, ArrayLike, Complex, Mask
 
 __all__ = ["quadratic_roots", "quartic_roots"]
 
-_TINY = 1e-300  # against 0/0 where the numerator is 0 too
-_STEPS = 3
-_SAFE = 1e-3
+_TINY = 1e-300  # added to denominators that are 0 only where the numerator is 0 too
+_STEPS = 3  # of Bairstow's method, which converges quadratically
+_SAFE = 1e-3  # part of its terms above which a constant coefficient has kept 13 digits
 
 
 def _roots_of_factors(b: Array, c: Array) -> Complex:
@@ -73,14 +73,14 @@ def _split(p: Array, q: Array, r: Array) -> tuple[Array, Array, Array]:
         np.copyto(w, 0.5 * (a + m / (a + _TINY)), where=single)
     z = (np.copysign(w, n) - p) * (2 / 3)
     if z.min(initial=0.0) < 0:
-        # with four complex roots the two others are of unlike sign: take the positive one
+        # with four complex roots the two other z have unlike signs: take the positive one
         four = (z < 0) & ~single & ((p >= 0) | (r4 >= p2))
         total, product = -2 * p - z, q * q / (z - (z == 0))
         root = np.sqrt(np.maximum(total * total - 4 * product, 0.0))
         far = np.abs(total) + root
         np.copyto(z, np.where(total > 0, far / 2, -2 * product / (far + (far == 0))), where=four)
         np.maximum(z, 0.0, out=z)
-    # st = q, and t² is the product of the other two z: the root that is not lost in p
+    # st = q, and t² = (p + z)² − 4r; compute the larger of s and t by a root, the other from st
     sum_p = p + z
     t2 = sum_p * sum_p - r4
     by_s = z * z >= t2
@@ -103,7 +103,7 @@ def _polish(a: Array, b: Array, c3: Array, c2: Array, c1: Array, c0: Array) -> M
         da = (n * r1 - m * r0) / resultant
         db = (k * r0 + bm * r1) / resultant
         size = np.abs(b)
-        # so small that the next step would be rounding
+        # the next step, its square, would be rounding
         good = (np.abs(db) <= 1e-8 * size) & (da * da <= 1e-16 * (a * a + size))
         a += da
         b += db
@@ -113,7 +113,7 @@ def _polish(a: Array, b: Array, c3: Array, c2: Array, c1: Array, c0: Array) -> M
 
 
 def _companion_roots(c3: Array, c2: Array, c1: Array, c0: Array) -> Complex:
-    """Return the roots (k, 4) of k monic quartics by LAPACK, which balances them."""
+    """Return the roots (k, 4) of k monic quartics as eigenvalues; LAPACK balances the matrix."""
     companion = np.zeros((c0.size, 4, 4))
     companion[:, [1, 2, 3], [0, 1, 2]] = 1
     companion[:, 0] = -np.stack([c3, c2, c1, c0], axis=-1)
@@ -137,8 +137,8 @@ def quartic_roots(
 
     Notes
     -----
-    Simple roots are good to rounding times their condition; a double root to its
-    square root, about 1e-8, as with any method that sees coefficients only.
+    The error of a simple root is rounding times its condition number. A double root is known to
+    the square root of rounding, about 1e-8, as with any method that uses the coefficients only.
 
     References
     ----------
@@ -169,14 +169,14 @@ def quartic_roots(
     b *= 0.5
     b += h * a
     a += h
-    # b has lost the digits by which it is smaller than what it was computed from
+    # b loses as many digits as it is smaller than the terms of its sum
     good: Mask = np.asarray(np.abs(b) > _SAFE * (hh + s * s + np.abs(t)))
     if not good.all():
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             good = _polish(a, b, c3, c2, c1, c0)
     roots = _roots_of_factors(a, b)
     if not good.all():
-        # roots of very different size, or three that nearly meet
+        # the roots differ very much in size, or three of them nearly meet
         bad = ~good.all(axis=0)
         rest = (np.broadcast_to(c, bad.shape)[bad] for c in (c3, c2, c1, c0))
         roots[bad] = np.sort(_companion_roots(*rest))

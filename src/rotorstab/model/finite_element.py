@@ -1,4 +1,4 @@
-"""The comparator: the same rotor with a distributed shaft, by finite elements."""
+"""The comparator of the lumped model: the same rotor with a distributed shaft."""
 
 from __future__ import annotations
 
@@ -27,24 +27,27 @@ def finite_element(
     external_damping: float = 0.0,
     internal_damping: float = 0.0,
 ) -> System:
-    """Return the rotor with a distributed shaft: mass, rotary inertia, shear, gyroscopics.
+    """Return the rotor with a distributed shaft, by Timoshenko finite elements.
+
+    The shaft has mass, rotary inertia, shear and a gyroscopic moment of its own.
 
     Parameters
     ----------
     rotor : ShaftDisk
-        Its disk may be absent (masses 0); `slenderness` r gives the rotary inertia r²
+        Its disk may be absent (masses 0). `slenderness` r gives the rotary inertia r²
         and the gyroscopic moment 2r² of the shaft per unit of length.
     spin_speed : (...) float
         Ω̄ [√(EI/(ρAL⁴))].
     tangency : float
-        μ, in [0, 1]: 0 axial, 1 follower.
+        μ [-], in [0, 1]: 0 axial, 1 follower.
     elements : int
         Number of elements, 1 to 200.
     modes : int, optional
-        Reduce to this many complex degrees of freedom, 2 to 2 `elements`. All by default.
+        Number of complex coordinates to which the system is reduced, 2 to 2 `elements`. By
+        default it is not reduced.
     external_damping, internal_damping : float
-        ζ_e, ζ_i, 0 or more: C_e = 2ζ_e ω_n M and C_i = (2ζ_i/ω_n) Ka with this system's
-        own ω_n.
+        Damping ratios ζ_e and ζ_i [-], 0 or more: C_e = 2ζ_e ω_n M and C_i = (2ζ_i/ω_n) Ka, where
+        ω_n is the `fundamental_frequency` of this system.
 
     Returns
     -------
@@ -59,16 +62,16 @@ def finite_element(
 
     Notes
     -----
-    Frequencies converge from above, with h⁴ at Φ = 0, r = 0 and with h² otherwise: at 20
-    elements the whirl frequencies 2B, 1B, 1F, 2F of the base case at Ω̄ 0 to 5 are within
+    The frequencies converge from above, with h⁴ at Φ = 0 and r = 0, with h² otherwise. At 20
+    elements the whirl frequencies 2B, 1B, 1F, 2F of the base case at Ω̄ from 0 to 5 are within
     1.2e-5 of the mesh limit.
 
-    The reduction keeps the tip itself, so the disk's inertia, its gyroscopic moment and the
-    follower term stay exact, and approximates only the inside of the shaft. 3 to 9 coordinates
-    are chosen for this rotor and load type: the leading directions of its own whirl modes 2B, 1B,
-    1F, 2F, right and left ones, at spin speeds 0 and 4 and at loads between ±0.95 p̄_cr. Every spin
-    speed and load has the same basis. `modes=2` is the lumped model with the shaft's consistent
-    mass added.
+    The reduction keeps the tip itself. So the disk's inertia, its gyroscopic moment and the
+    follower term stay exact, and only the inside of the shaft is approximated. A basis of 3 to 9
+    coordinates is chosen for this rotor and load type: it holds the leading directions of the
+    rotor's whirl modes 2B, 1B, 1F, 2F (right and left eigenvectors) at spin speeds 0 and 4 and at
+    loads between ±0.95 p̄_cr. Every spin speed and load has the same basis. `modes=2` is the lumped
+    model with the shaft's consistent mass added.
 
     Errors of 2B, 1B, 1F, 2F against the full model, over random rotors, spin speeds and load
     types from the ranges of the dashboard's sliders (Φ to 0.1, M̄_D 0.5 to 20, Ī_D 0.01 to 3, Ī_P
@@ -85,10 +88,10 @@ def finite_element(
     8       3e-6    5e-5
     ======  ======  =======
 
-    Take 4 or more. The largest errors are those of light disks and of a frequency near 0, close
-    to buckling. The frequency of the third mode is right to some 1 % with 4 coordinates; what
-    higher modes take part in is not to be trusted. A stocky shaft (Φ 0.3, r 0.3) or none but the
-    shaft's own mass needs 6 for 1e-3.
+    Take 4 or more. The largest errors belong to light disks and to frequencies near 0, close
+    to buckling. With 4 coordinates the frequency of the third mode is right to about 1 %, and
+    results in which higher modes take part are not reliable. A stocky shaft (Φ = 0.3, r = 0.3), or
+    a shaft without a disk, needs 6 for an error of 1e-3.
 
     References
     ----------
@@ -125,24 +128,32 @@ def finite_element(
 
 
 def first_modes(system: System, static_load: float, count: int = 2) -> System:
-    """Return a system kept to its first free vibration modes at rest under a steady load.
+    """Return a system reduced to its first free vibration modes at rest under a steady load.
 
     Parameters
     ----------
     system : System
+        It has the linear stiffness law.
     static_load : float
-        p̄₀ [EI/L²]; of a follower load the symmetric part of K is taken.
+        p̄₀ [EI/L²]. The modes are those of the symmetric part of K, which differs from K under a
+        follower load.
     count : int
+        Number of modes.
 
     Returns
     -------
     System
         Shapes (count, count).
 
+    Raises
+    ------
+    ValueError
+        If the system has the exact stiffness, or the load is not finite.
+
     Notes
     -----
-    For the base case with 4 modes the two kept whirls are within 1e-4 up to Ω̄ = 1, the fourth
-    root within 4e-3 at Ω̄ = 4.
+    For two modes of the base case with 4 coordinates the first two whirls are within 1e-4 up to
+    Ω̄ = 1, and the fourth root is within 4e-3 at Ω̄ = 4.
     """
     stiffness = system.load_stiffness(static_load)
     symmetric = (stiffness + stiffness.T) / 2

@@ -1,7 +1,8 @@
 """Real bases that reduce the finite elements of a rotor to a few coordinates.
 
-The first two coordinates are always the tip, so the disk's inertia, its gyroscopic moment and the
-follower term stay exact. Only the inside of the shaft is approximated.
+The first two coordinates are always the displacement and the slope of the tip. So the disk's
+inertia, its gyroscopic moment and the follower term stay exact, and only the inside of the shaft is
+approximated.
 """
 
 from __future__ import annotations
@@ -18,18 +19,19 @@ from .timoshenko import rotor_matrices, shaft_matrices
 
 __all__ = ["reduction_basis"]
 
+# Loads and frequencies at which responses of the shaft alone are taken.
 _RESPONSES = np.linspace(0.0, 1.0, 5)
-_RESPONSE_LOAD = 2.0  # ± this many buckling loads
+_RESPONSE_LOAD = 2.0  # buckling loads, in compression and in tension
 _RESPONSE_FREQUENCY = 0.45  # of the first frequency of the shaft clamped at both ends
-_SHAFT_SHAPES = 10  # of the shaft alone, with which every rotor is right to 1e-7
-# Where the whirl modes of a rotor are taken. Larger loads would cost accuracy at smaller ones.
+_SHAFT_SHAPES = 10  # number of shapes of the shaft alone with which every rotor is right to 1e-7
+# Loads and speeds at which whirl modes are taken. Larger loads would cost accuracy at smaller ones.
 _MODE_LOADS = (-0.95, 0.0, 0.95)  # of the buckling load
 _MODE_SPEEDS = (0.0, 4.0)  # Ω̄
-_SLOW = 0.5  # of ω_n: errors of slower whirls count relative to this
+_SLOW = 0.5  # of ω_n: errors of slower whirls count relative to this frequency
 
 
 def _buckling_load(elastic: Array, load: Array) -> float:
-    """Return the smallest p̄ at which Ka + p̄ Kb is singular."""
+    """Return the smallest positive p̄ at which Ka + p̄ Kb is singular."""
     last = len(elastic) - 1
     return float(1 / eigvalsh(-load, elastic, subset_by_index=(last, last))[0])
 
@@ -38,9 +40,10 @@ def _buckling_load(elastic: Array, load: Array) -> float:
 def _shaft_basis(shear: float, slenderness: float, elements: int, modes: int) -> Array:
     """Return the basis (2n, modes) that serves any disk, spin speed and load of one shaft.
 
-    Two static shapes for a unit tip deflection and slope, then the leading directions,
-    in bending energy, of what the inside of the shaft adds when the tip moves at other
-    loads and frequencies (proper orthogonal decomposition of the exact responses).
+    The first two columns are the static shapes for a unit deflection and a unit slope of the tip.
+    The others are the leading directions, in elastic energy, of what the inside of the shaft adds
+    to them when the tip moves at other loads and frequencies (proper orthogonal decomposition of
+    the exact responses).
     """
     translational, rotational, elastic, load = shaft_matrices(shear, elements)
     mass = translational + slenderness**2 * rotational
@@ -64,18 +67,20 @@ def _shaft_basis(shear: float, slenderness: float, elements: int, modes: int) ->
     return basis
 
 
-def _whirl_shapes(mass: Array, gyroscopic: Array, elastic: Array, load: Array, mu: float) -> Array:
+def _whirl_shapes(
+    mass: Array, gyroscopic: Array, elastic: Array, load: Array, tangency: float
+) -> Array:
     """Return the shapes (n, k) of 2B, 1B, 1F, 2F at a few loads and spin speeds.
 
-    Right and left eigenvectors, for a projection needs both under a follower load. Each has the
-    kinetic energy of a unit mass, over its frequency, or half of ω_n if that is larger: the
-    bending energy that a basis misses of it is then a relative error of its frequency squared.
+    Right and left eigenvectors are taken, for under a follower load a projection needs both. Each
+    is scaled to qᵀMq = 1/ω², with ω_n/2 in place of slower ω: the elastic energy that a basis
+    misses of it is then the relative error of ω².
     """
     n = len(mass)
     slowest = np.sqrt(eigvalsh(elastic, mass, subset_by_index=(0, 0))[0])
     buckling = _buckling_load(elastic, load)
     geometric = load.copy()
-    geometric[0, 1] += mu
+    geometric[0, 1] += tangency  # Eq. (A3); the tip comes first here
     shapes = []
     for share in _MODE_LOADS:
         for speed in _MODE_SPEEDS:
@@ -112,9 +117,9 @@ def reduction_basis(rotor: ShaftDisk, tangency: float, elements: int, modes: int
     Returns
     -------
     (2 elements, modes) float
-        With 2: the static shapes of the unloaded shaft. With 3 to 9: the leading directions, in
-        bending energy, of the rotor's own whirl modes at a few loads and spin speeds. With 10 or
-        more: what serves any disk (`_shaft_basis`).
+        2 columns are the static shapes of the unloaded shaft. 3 to 9 are the leading directions,
+        in elastic energy, of the rotor's own whirl modes at a few loads and spin speeds. 10 or
+        more serve any disk on this shaft.
     """
     size = max(modes, min(_SHAFT_SHAPES, 2 * elements))
     if modes in (2, size):

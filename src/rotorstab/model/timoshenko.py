@@ -17,10 +17,10 @@ __all__ = ["rotor_matrices", "shaft_matrices"]
 
 
 def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array, Array]:
-    """Return ∫NvᵀNv, ∫NγᵀNγ, the elastic and −∫Nv′ᵀNv′ matrices (4, 4) of one element.
+    """Return ∫NvᵀNv, ∫NγᵀNγ, the elastic matrix and −∫Nv′ᵀNv′, each (4, 4), of one element.
 
-    Each row of the shape arrays holds the coefficients of 1, ξ, ξ², ξ³ (ξ = x/h) of one
-    of the degrees of freedom v₁, γ₁, v₂, γ₂.
+    Each row of the arrays `deflection` and `rotation` holds the coefficients of 1, ξ, ξ², ξ³
+    (ξ = x/h) in the shape function of one degree of freedom: v₁, γ₁, v₂, γ₂ in turn.
     """
     h = length
     s = 12 * shear / h**2
@@ -55,9 +55,9 @@ def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array,
 
 @lru_cache(maxsize=16)
 def shaft_matrices(shear: float, elements: int) -> tuple[Array, Array, Array, Array]:
-    """Return the assembled translational, rotational, elastic and load matrices (2n, 2n).
+    """Return the translational, rotational, elastic and axial load matrices (2n, 2n) of the shaft.
 
-    The clamped root is removed; the tip is last.
+    The two coordinates of the clamped root are removed; the tip's deflection and slope are last.
     """
     size = 2 * elements + 2
     assembled = []

@@ -29,16 +29,13 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
     Raises
     ------
     ValueError
-        If a modulus is not positive, or κ is not: no isotropic material has E > 3G.
-
-    Notes
-    -----
-    Thermodynamics allows −1 < ν ≤ 0.5; outside it the formula is not meant.
+        If a modulus is not positive and finite, or E > 3G (ν > 0.5), which no isotropic material
+        has.
 
     References
     ----------
-    Cowper, G. R. (1966). The shear coefficient in Timoshenko's beam theory. Journal of
-    Applied Mechanics 33(2), 335–340.
+    G. R. Cowper, The shear coefficient in Timoshenko's beam theory, Journal of Applied
+    Mechanics 33 (1966) 335–340.
 
     Examples
     --------
@@ -58,7 +55,7 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
 
 @dataclass(frozen=True)
 class Material:
-    """An isotropic material.
+    """An isotropic material, in SI units.
 
     Parameters
     ----------
@@ -90,7 +87,8 @@ MATERIALS: Mapping[str, Material] = MappingProxyType(
 )
 """Handbook values by name; a real bar may differ by a few per cent."""
 
-# as letters and digits only; other alloys have other values and no name here
+# Other names of these materials, in letters and digits only. Other alloys have other values and
+# are not listed.
 _OTHER_NAMES: Mapping[str, str] = MappingProxyType(
     {
         "structuralsteel": "steel",
@@ -107,9 +105,9 @@ _OTHER_NAMES: Mapping[str, str] = MappingProxyType(
 
 
 def material_named(text: str) -> str | None:
-    """Return the key of `MATERIALS` that a name means, or None where it means none of them.
+    """Return the key of `MATERIALS` for a name that a person has written.
 
-    Case, spaces and hyphens do not count.
+    Case, spaces, hyphens and parentheses do not matter.
 
     Parameters
     ----------
@@ -118,6 +116,7 @@ def material_named(text: str) -> str | None:
     Returns
     -------
     str or None
+        None if the name is not that of a material in `MATERIALS`.
 
     Examples
     --------

@@ -16,7 +16,7 @@ __all__ = ["BASE_CASE", "EULER_BERNOULLI_TWIN", "TABLE_1_SI", "Scales", "ShaftDi
 
 @dataclass(frozen=True)
 class Scales:
-    """What one non-dimensional unit is in SI.
+    """SI values of the non-dimensional units of one rotor.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ class Scales:
     load : float
         EI/L² [N].
     frequency : float
-        √(EI/(ρAL⁴)) [rad/s].
+        √(EI/(ρAL⁴)) [rad/s]; also the unit of spin speeds and growth rates.
     """
 
     length: float
@@ -38,7 +38,7 @@ class Scales:
 
 @dataclass(frozen=True)
 class ShaftDisk:
-    """A shaft–disk rotor, non-dimensional.
+    """A cantilever shaft with a disk at its free end, non-dimensional.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class ShaftDisk:
         diametral_inertia: float,
         polar_inertia: float,
     ) -> tuple[ShaftDisk, Scales]:
-        """Return the rotor of a solid circular shaft given in SI units, and its scales.
+        """Return the rotor with a solid circular shaft from SI values, and its scales.
 
         Parameters
         ----------
@@ -121,12 +121,12 @@ class ShaftDisk:
         -------
         rotor : ShaftDisk
         scales : Scales
-            Multiply a non-dimensional result by its scale to get SI.
+            A non-dimensional result times its scale is the result in SI units.
 
         Raises
         ------
         ValueError
-            If a value is not finite or not positive, or gives a rotor out of range.
+            If a value is not finite or out of its range, or the rotor that it gives is.
 
         References
         ----------

@@ -1,4 +1,4 @@
-"""Critical loads: static buckling, flutter of a rotor, flutter of the shaft alone."""
+"""Critical loads: static buckling, flutter of a rotor, and flutter of the shaft alone."""
 
 from __future__ import annotations
 
@@ -19,18 +19,20 @@ from .frequencies import whirl_frequencies
 
 __all__ = ["beck_load", "critical_load", "flutter_load"]
 
-_STEPS = (400, 128, 128, 128, 64)  # 7e-10 of the range in all
+_STEPS = (400, 128, 128, 128, 64)  # of the nested scans for flutter: 2e-11 of the range in all
+_SHORT_OF_POLE = 1e-9  # part of the pole by which the search for flutter ends below it
+_BECK_STEPS = 64  # loads up to the pole at which the two lowest ω² are compared
 
 
 def critical_load(shear: ArrayLike) -> Array:
     """Return the static buckling load of the axially loaded cantilever shaft.
 
-    p̄_cr = (π²/4)/(1 + Φπ²/4), the first zero of det K of Appendix A.
+    p̄_cr = (π²/4)/(1 + Φπ²/4), the smallest load at which det K of Appendix A is zero.
 
     Parameters
     ----------
     shear : (...) float
-        Φ [-], in [0, 1).
+        Shear parameter Φ [-], in [0, 1).
 
     Returns
     -------
@@ -48,7 +50,9 @@ def critical_load(shear: ArrayLike) -> Array:
     2.3557973
     """
     shear = numbers("shear", shear, 0.0, 1.0, open_high=True)
-    return np.asarray(np.pi**2 / 4 / (1 + shear * np.pi**2 / 4))
+    # Euler's load of the cantilever; shear adds Φ to its reciprocal
+    euler = np.pi**2 / 4
+    return np.asarray(euler / (1 + shear * euler))
 
 
 def flutter_load(system: System, largest_load: float | None = None) -> float:
@@ -57,25 +61,27 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
     Parameters
     ----------
     system : System
-        Undamped, at one spin speed.
+        Undamped, with one spin speed.
     largest_load : float, optional
-        End of the search [EI/L²]; by default the pole of the exact stiffness for a
-        shaft with this shear, or 4π² where the shear is not known.
+        End of the search [EI/L²]. By default it is the pole of the exact stiffness if the system
+        has the exact stiffness, else 4π².
 
     Returns
     -------
     float
-        p̄ [EI/L²]; inf where there is no coalescence up to `largest_load`.
+        p̄ [EI/L²], inf where there is no coalescence up to `largest_load`.
 
     Raises
     ------
     ValueError
-        If the system is damped: its frequencies are complex at every load.
+        If the system is damped (its frequencies are complex at every load) or has several spin
+        speeds, or `largest_load` is not positive or past the pole of the exact stiffness.
 
     Notes
     -----
-    The load is scanned in 400 steps, then the step is narrowed to 1e-9 or less. Under an axial
-    load at rest two frequencies meet at ω = 0: buckling, which is not counted.
+    The load is scanned in 400 steps, then the step in which the first pair coalesces is narrowed
+    to 1e-9. A flutter interval that is narrower than one of the 400 steps may be missed. Under
+    an axial load at rest two frequencies meet at ω = 0: that is buckling and does not count.
 
     Examples
     --------
@@ -88,7 +94,7 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
     single_speed(system)
     if largest_load is None:
         pole = float(largest_exact_load(system.exact_shear or 0.0))
-        largest_load = pole * (1 - 1e-9)
+        largest_load = pole * (1 - _SHORT_OF_POLE)
     high = number("largest_load", largest_load, 0.0, open_low=True)
     low = 0.0
     for steps in _STEPS:
@@ -107,16 +113,16 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
 
 
 def _beck_load_on_mesh(shaft: ShaftDisk, elements: int) -> float:
-    """Return the load at which the two lowest ω² of the follower-loaded shaft meet."""
+    """Return the load at which the two lowest ω² of the follower-loaded shaft meet, inf if none."""
     system = finite_element(shaft, 0.0, tangency=1.0, elements=elements)
 
     def gap(load: Any) -> Any:
-        """(ω₂² − ω₁²)²: analytic, and negative once the pair is complex."""
+        """Return (ω₂² − ω₁²)², which is smooth, and negative once the pair is complex."""
         squares = np.linalg.eigvals(np.linalg.solve(system.mass, system.load_stiffness(load)))
         lowest = np.sort_complex(squares)[..., :2]
         return np.asarray(((lowest[..., 1] - lowest[..., 0]) ** 2).real)
 
-    loads = np.linspace(0.0, float(largest_exact_load(shaft.shear)), 65)
+    loads = np.linspace(0.0, float(largest_exact_load(shaft.shear)), _BECK_STEPS + 1)
     beyond = np.flatnonzero(gap(loads) < 0)
     if not beyond.size:
         return float("inf")
@@ -130,17 +136,18 @@ def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
     Parameters
     ----------
     shear : float
-        Φ [-], in [0, 1).
+        Shear parameter Φ [-], in [0, 1).
     slenderness : float
-        r [-], in [0, 1): rotary inertia.
+        r = √(I/A)/L [-], in [0, 1); it sets the rotary inertia.
     elements : int
-        Elements of the finest of three meshes, n/4, n/2 and n: a multiple of 4, 8 to 200.
+        Number n of elements of the finest of three meshes, n/4, n/2 and n: a multiple of 4 in
+        [8, 200].
 
     Returns
     -------
     float
-        p̄ [EI/L²] in the mesh limit; inf where no pair meets below the pole of the exact
-        stiffness.
+        p̄ [EI/L²] in the mesh limit, inf where no pair of frequencies meets below the pole of the
+        exact stiffness.
 
     Raises
     ------
@@ -149,9 +156,9 @@ def beck_load(shear: float, slenderness: float, elements: int = 40) -> float:
 
     Notes
     -----
-    The errors in h² and h⁴ are extrapolated away (Richardson). Against the exact
-    transfer-matrix solution the error is below 1e-7 of the value at 40 elements. The
-    source paper's follower "critical load" 12.3019 is this one, for its shaft.
+    Richardson's extrapolation removes the errors of order h² and h⁴. At 40 elements the error
+    against the exact transfer-matrix solution is below 1e-7 of the value. The follower "critical
+    load" 12.3019 of the source paper is this load of its shaft.
 
     References
     ----------
