@@ -29,7 +29,7 @@ def warm_up() -> None:
 
         library()  # a broken lesson is reported now, not when the first student comes
         # with a marker: HoloViews draws the charts inside a point too, once, and holds up no user
-        Session({"at": ["1"]})
+        Session({"at": ["1"]}).respond({"type": "hello"})
     # What is there now stays until the end: collections of what pages leave need not look at it.
     gc.collect()
     gc.freeze()

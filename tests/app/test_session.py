@@ -602,7 +602,7 @@ def test_sessions_share_no_part_of_a_chart():
 
 
 def test_what_is_drawn_at_the_start_is_only_copied_for_users():
-    Session({"at": ["1"]})  # as a worker does before it serves
+    Session({"at": ["1"]}).respond({"type": "hello"})  # as a worker does before it serves
     made = _drawn.cache_info().misses
     for query in ({"at": [b"1"], "f": [b"1.7"]}, {"u": [b"SI"], "at": [b"1"]}, {"ze": [b"0.02"]}):
         session = Session(query)
