@@ -53,12 +53,10 @@ def caches() -> Iterator[tuple[str, _CacheInfo]]:
     from app.results import analysis, comparisons, curves, growth_maps
 
     for module in (analysis, curves, comparisons, growth_maps, marked_point, quantities):
+        part = module.__name__.rpartition(".")[2]
         for name, value in vars(module).items():
             if hasattr(value, "cache_info") and value.__module__ == module.__name__:
-                yield (
-                    f"{module.__name__.removeprefix('app.')}.{name.lstrip('_')}",
-                    value.cache_info(),
-                )
+                yield f"{part}.{name.lstrip('_')}", value.cache_info()
 
 
 def close() -> None:

@@ -3,8 +3,6 @@
 `python -m benchmarks cost` looks for others.
 """
 
-import importlib
-
 import numpy as np
 import pytest
 
@@ -14,7 +12,7 @@ from app.state.address import from_arguments
 from rotorstab import ShaftDisk, lumped
 from rotorstab.floquet.interpolant.polynomial import ChartSampler
 from rotorstab.maps import window
-from rotorstab.model import stiffness
+from rotorstab.model import harmonics, stiffness, system
 from rotorstab.model.stiffness import largest_exact_load
 
 # took 20 s and 4.7 GB: the harmonics of 1,300 loads at 4,096 points each
@@ -49,8 +47,7 @@ def evaluations(monkeypatch):
         sizes.append(np.size(load))
         return exact(load, *others)
 
-    for name in ("stiffness", "system"):
-        module = importlib.import_module(f"rotorstab.{name}")
+    for module in (stiffness, system, harmonics):
         monkeypatch.setattr(module, "exact_stiffness", count)
     return sizes
 
