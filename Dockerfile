@@ -12,7 +12,7 @@ COPY src src
 COPY app app
 COPY deploy deploy
 RUN /opt/rotorstab/bin/python -m pip install --no-deps --no-build-isolation . \
-    && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling trove-classifiers pathspec pip
+    && /opt/rotorstab/bin/python -m pip uninstall --yes hatchling pathspec pluggy trove-classifiers pip
 
 # hadolint ignore=DL3006
 FROM ${BASE} AS worker

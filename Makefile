@@ -32,13 +32,14 @@ test: lint ## every check, and all tests but the long ones, with a browser (foun
 long: $(VENV)/dev.stamp ## the long tests: classes, killed processes, whole deployments (CI runs them too)
 	@$(FIND_BROWSER) && $(PYTEST) -m long
 
-lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file
+lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose file, citation
 	$(PY) -m ruff check
 	$(PY) -m ruff format --check
 	$(PY) -m mypy
 	$(VENV)/bin/lint-imports
 	$(VENV)/bin/hadolint Dockerfile
 	$(VENV)/bin/check-jsonschema --builtin-schema vendor.compose-spec compose.yaml
+	$(VENV)/bin/check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
 
 unit: $(VENV)/dev.stamp ## the tests of `make test` that need no browser
 	$(PYTEST) -m "not browser and not long"

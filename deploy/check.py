@@ -1,4 +1,4 @@
-"""Whether what listens on ADDRESS:PORT is well: exit code 0 or 1, for a container's HEALTHCHECK.
+"""Health check of the server on ADDRESS:PORT: exit code 0 or 1, for a container's HEALTHCHECK.
 
 `python -m deploy.check /health` asks a worker, `python -m deploy.check /app` asks nginx for the
 page's head, which a worker must answer.
@@ -11,13 +11,13 @@ import sys
 from .settings import host_name, read
 
 PATIENCE = 4  # s
-EVERYWHERE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
+LOCAL = {"0.0.0.0": "127.0.0.1", "::": "::1"}  # where a server listens that listens everywhere
 
 
 def main() -> int:
-    """Ask, and tell what is wrong."""
+    """Ask the server, print its answer, and return the exit code."""
     settings = read()
-    address = EVERYWHERE.get(settings.address, settings.address)
+    address = LOCAL.get(settings.address, settings.address)
     path = settings.prefix + (sys.argv[1] if len(sys.argv) > 1 else "/health")
     connection = http.client.HTTPConnection(address, settings.port, timeout=PATIENCE)
     try:
@@ -37,8 +37,8 @@ def main() -> int:
     return 0 if status == 200 else 1
 
 
-def unchecked():
-    """Return TLS that verifies no certificate: this machine asks itself, by another name."""
+def unchecked() -> ssl.SSLContext:
+    """Return TLS that verifies no certificate: this machine asks itself by another name."""
     context = ssl.create_default_context()
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE

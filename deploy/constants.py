@@ -1,18 +1,18 @@
-"""What the workers and nginx say alike."""
+"""Values that the workers and nginx share."""
 
-RETRY_SECONDS = 30  # for whom there is no place
+RETRY_SECONDS = 30  # where all places are taken
 RESTART_SECONDS = 5  # while a server ends or starts
-BUSY_SECONDS = 5  # for whom asks too often
+BUSY_SECONDS = 5  # where pages are asked for too often
 
-LONGEST_ADDRESS = 128_000  # characters; 414 above, through nginx as on a worker's own port
-HEADER_BUFFER = 131_072  # bytes; an address of that length in its request line
+LONGEST_ADDRESS = 128_000  # characters; a longer one is answered 414 by nginx and by workers
+HEADER_BUFFER = 131_072  # bytes; room for a request line with an address of that length
 
 PAGE_FILES = (
     r"/static/(js/bokeh(-[a-z]+)?\.min\.js"
     r"|extensions/panel/(panel\.min\.js|css/[a-z_]+\.css|images/[a-z0-9_-]+\.(ico|png|svg|webmanifest)"
     r"|bundled/(datatabulator|reactiveesm|theme)/[A-Za-z0-9@^._/-]+\.(js|css)))"
 )
-"""Decoded paths of the scripts and styles that the page uses; all else below `/static/` is 404."""
+"""Decoded paths of the scripts and styles that the page uses; others below `/static/` are 404."""
 
 HEADERS = {
     # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript

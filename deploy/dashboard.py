@@ -1,13 +1,13 @@
-"""What a server asks of the dashboard, where it serves that and not another app.
+"""What a server needs from the dashboard, where it serves the dashboard and not another app.
 
-The dashboard's modules are imported when they are asked: that takes seconds, and a worker that
-serves another app does without.
+Each function imports the modules that it needs: the imports take seconds, and a worker that serves
+another app does without them.
 """
 
 import gc
 from collections.abc import Iterator
-from functools import _CacheInfo
 from pathlib import Path
+from typing import Protocol
 
 import app
 
@@ -16,8 +16,24 @@ served = False
 """Whether this process serves the dashboard."""
 
 
+class CacheInfo(Protocol):
+    """The numbers of a cache, as `functools` counts them."""
+
+    @property
+    def hits(self) -> int:
+        """Number of values that were found."""
+
+    @property
+    def misses(self) -> int:
+        """Number of values that were computed."""
+
+    @property
+    def currsize(self) -> int:
+        """Number of values that are held."""
+
+
 def is_dashboard(path: str) -> bool:
-    """Whether a directory or file given to `panel serve` is the dashboard."""
+    """Return whether a directory or file given to `panel serve` is the dashboard."""
     return Path(path).resolve() in (FOLDER, FOLDER / "main.py")
 
 
@@ -27,10 +43,10 @@ def warm_up() -> None:
         from app.lessons import library
         from app.session import Session
 
-        library()  # a broken lesson is reported now, not when the first student comes
-        # with a marker: HoloViews draws the charts inside a point too, once, and holds up no user
+        library()  # reports a broken lesson now, and not when the first student comes
+        # The page has a marker, so that HoloViews prepares the charts of a marked point as well.
         Session({"at": ["1"]}).respond({"type": "hello"})
-    # What is there now stays until the end: collections of what pages leave need not look at it.
+    # These objects stay until the end, so the garbage collector need not look at them any more.
     gc.collect()
     gc.freeze()
 
@@ -44,8 +60,8 @@ def exports_running() -> int:
     return files.making()
 
 
-def caches() -> Iterator[tuple[str, _CacheInfo]]:
-    """Yield (name, cache_info) of every cache that all sessions share."""
+def caches() -> Iterator[tuple[str, CacheInfo]]:
+    """Yield the name and the numbers of every cache that all sessions share."""
     if not served:
         return
     from app.lessons import quantities

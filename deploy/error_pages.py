@@ -1,4 +1,6 @@
-"""Pages of errors: one look, light and dark, nothing fetched, nothing told of the server."""
+"""Error pages: one look, light and dark; they fetch nothing and say nothing about the server."""
+
+from __future__ import annotations
 
 import html
 from http import HTTPStatus
@@ -19,7 +21,7 @@ h1 { margin: 0 0 .75rem; font-size: 1.35rem; line-height: 1.3 }
 a { color: var(--link) }
 """
 
-WORDS = {
+TEXTS: dict[int, tuple[str, tuple[str, ...]]] = {
     400: ("This request cannot be read", ("The address may have to begin with https://.",)),
     403: ("This is not allowed here", ("The server did not accept this request.",)),
     404: ("There is no such page", ("The address may be mistyped.",)),
@@ -60,27 +62,37 @@ RESTARTS = (
     "The server restarts",
     (f"This page tries again by itself every {RESTART_SECONDS} seconds; you need do nothing.",),
 )
-LINKED = (400, 403, 404, 405, 413, 414, 431, 500)
-WAITS = {429: BUSY_SECONDS, 503: RETRY_SECONDS}  # s until the page tries again, Retry-After too
+LINKED = (400, 403, 404, 405, 413, 414, 431, 500)  # pages with a link to the dashboard
+WAITS = {429: BUSY_SECONDS, 503: RETRY_SECONDS}  # s until the page tries again, and Retry-After
 
 
-def retry_seconds(status, restarting=False):
-    """Seconds after which a request may be sent again, or None."""
+def retry_seconds(status: int, restarting: bool = False) -> int | None:
+    """Return the seconds after which a request may be sent again, or None."""
     return RESTART_SECONDS if restarting and status == 503 else WAITS.get(status)
 
 
-def error_page(status, restarting=False, prefix=""):
-    """The whole page of a status; 503 has two meanings. The dashboard is below the prefix."""
+def error_page(status: int, restarting: bool = False, prefix: str = "") -> str:
+    """Return the HTML of the page of a status.
+
+    Parameters
+    ----------
+    status : int
+        Of the reply.
+    restarting : bool
+        Whether 503 means that the server restarts; otherwise it means that all places are taken.
+    prefix : str
+        Path below which the dashboard is served.
+    """
     try:
         phrase = HTTPStatus(status).phrase
     except ValueError:
         phrase = "Error"
     restarting = restarting and status == 503
-    title, words = RESTARTS if restarting else WORDS.get(status, (phrase, ()))
+    title, sentences = RESTARTS if restarting else TEXTS.get(status, (phrase, ()))
     wait = retry_seconds(status, restarting)
     again = f'<meta http-equiv="refresh" content="{wait}">' if wait else ""
     link = f'<p><a href="{prefix}/app">Open the dashboard</a></p>' if status in LINKED else ""
-    text = "".join(f"<p>{html.escape(one)}</p>" for one in words)
+    text = "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences)
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8">{again}'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'

@@ -1,4 +1,4 @@
-"""nginx in front of the workers: its configuration, and where to find it."""
+"""nginx in front of the workers: its configuration, and where its program is."""
 
 import os
 import re
@@ -15,23 +15,23 @@ from .error_pages import error_page, retry_seconds
 from .settings import LOOPBACK, Settings, host_name
 
 TEMPLATE = "nginx.conf.j2"
-CONNECTIONS = 20  # of a page: six of the browser, the socket, and others that only wait
-MOST_CONNECTIONS = 16_000
-OWN = (400, 403, 404, 405, 408, 413, 414, 421, 429, 431, 500, 501, 505)
-PAGES = {str(status): (status, False) for status in OWN} | {
+CONNECTIONS_OF_A_PAGE = 20  # six of the browser, the socket, and others that only wait
+FEWEST_CONNECTIONS, MOST_CONNECTIONS = 500, 16_000
+STATUSES = (400, 403, 404, 405, 408, 413, 414, 421, 429, 431, 500, 501, 505)
+PAGES = {str(status): (status, False) for status in STATUSES} | {
     "full": (503, False),
     "restarts": (503, True),
 }
-"""Name: status, and whether the server restarts."""
+"""The error pages that nginx shows by itself: status, and whether the server restarts, by name."""
 
 
 def find_nginx() -> str | None:
-    """Return nginx, also where only root has its folder in PATH."""
+    """Return the path of nginx, also where only root has its folder in PATH; None without nginx."""
     return shutil.which("nginx", path=os.pathsep.join([os.environ.get("PATH", ""), "/usr/sbin"]))
 
 
-def is_number(host: str) -> bool:
-    """Whether a host is an IP address."""
+def is_ip_address(host: str) -> bool:
+    """Return whether a host is an IP address."""
     try:
         ip_address(host)
     except ValueError:
@@ -40,12 +40,22 @@ def is_number(host: str) -> bool:
 
 
 def in_server_name(host: str) -> str:
-    """Return a host as nginx compares it with a request's."""
+    """Return a host as nginx compares it with the host of a request."""
     return f"[{host}]" if ":" in host else host
 
 
 def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
-    """Return the configuration for workers at host:port, with files in a folder of its own."""
+    """Return the configuration of nginx.
+
+    Parameters
+    ----------
+    settings : Settings
+        Of this server.
+    workers : sequence of str
+        Addresses of the workers, as host:port; may be empty.
+    folder : Path
+        Holds the files of nginx, the error pages among them.
+    """
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent),
         trim_blocks=True,
@@ -65,14 +75,14 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         family=family,
         http_port=settings.http_port,
         origins=origins,
-        # no other site can take a loopback name, and a technician asks by one
+        # no other site can own a loopback name, and a technician uses one
         names=list(dict.fromkeys([*origins, *map(in_server_name, LOOPBACK)])),
-        # a browser names no host in the handshake where the address is a number
-        by_number=any(map(is_number, map(host_name, settings.origins))),
-        # a port that nobody listens on: the page says that the server restarts
+        # a browser sends no host name in the TLS handshake where the address is a number
+        by_number=any(map(is_ip_address, map(host_name, settings.origins))),
+        # nobody listens on that port, so the page says that the server restarts
         workers=list(workers) or ["127.0.0.1:9"],
         places=max(places, settings.max_sessions),
-        connections=min(max(500, CONNECTIONS * places), MOST_CONNECTIONS),
+        connections=min(max(FEWEST_CONNECTIONS, CONNECTIONS_OF_A_PAGE * places), MOST_CONNECTIONS),
         tls=bool(settings.tls_certificate),
         certificate=settings.tls_certificate,
         key=settings.tls_key,
@@ -91,10 +101,10 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
 
 
 def write(settings: Settings, workers: Sequence[str], folder: Path) -> Path:
-    """Write the configuration and the pages that nginx shows by itself; return the former."""
+    """Write the configuration and the error pages into a folder; return the former's path."""
     (folder / "_errors").mkdir(exist_ok=True)
-    for name, page_of in PAGES.items():
-        page = error_page(*page_of, settings.prefix)
+    for name, (status, restarting) in PAGES.items():
+        page = error_page(status, restarting, settings.prefix)
         (folder / "_errors" / f"{name}.html").write_text(page, encoding="utf-8")
     path = folder / "nginx.conf"
     path.write_text(render(settings, workers, folder), encoding="utf-8")
@@ -103,16 +113,5 @@ def write(settings: Settings, workers: Sequence[str], folder: Path) -> Path:
 
 def command(nginx: str, configuration: Path, *more: str) -> list[str]:
     """Return the command that runs nginx in the foreground, or tests its configuration."""
-    where = str(configuration.parent)
-    return [
-        nginx,
-        "-e",
-        "stderr",
-        "-p",
-        where,
-        "-c",
-        str(configuration),
-        "-g",
-        "daemon off;",
-        *more,
-    ]
+    files = ["-p", str(configuration.parent), "-c", str(configuration)]
+    return [nginx, "-e", "stderr", *files, "-g", "daemon off;", *more]

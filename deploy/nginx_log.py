@@ -1,4 +1,4 @@
-"""What nginx logs, as records of our own log: one form, and no address or query of a student."""
+"""nginx's messages as records of our own log, without the addresses and queries of students."""
 
 import asyncio
 import logging
@@ -19,7 +19,7 @@ LEVELS = {
     "debug": logging.DEBUG,
 }
 LINE = re.compile(r"\S+ \S+ \[(?P<level>[a-z]+)\] \d+#\d+: (?:\*\d+ )?(?P<message>.*)")
-# nginx appends them to a message in this order; `upstream` tells which worker it is about
+# nginx appends these to a message in this order; `upstream`, which names the worker, stays
 CLIENT = re.compile(r', (client|server|request|subrequest|host|referrer): ("[^"]*"|[^,]*)')
 QUERY = re.compile(r"\?[^\s\",]*")
 NUMBER = re.compile(
@@ -28,7 +28,7 @@ NUMBER = re.compile(
 
 
 def without_client(message: str) -> str:
-    """Return a message of nginx less the client's address, its request and every query."""
+    """Return a message of nginx without the client's address, its request and every query."""
     message, upstream, worker = CLIENT.sub("", message).partition(", upstream: ")
     return NUMBER.sub("…", QUERY.sub("", message)) + upstream + QUERY.sub("", worker)
 
@@ -48,7 +48,7 @@ def record(line: str) -> None:
 async def relay() -> tuple[int, asyncio.Task[None]]:
     """Return the end of a pipe to write to, and the task that logs its lines until it is closed.
 
-    asyncio's own pipe would not do: a process counts as running until its children close it too.
+    With a pipe of asyncio a process would count as running until its children close it too.
     """
     read_end, write_end = os.pipe()
     reader = asyncio.StreamReader(limit=LONGEST_LINE)
@@ -62,7 +62,7 @@ async def _record_all(reader: asyncio.StreamReader) -> None:
     while True:
         try:
             line = await reader.readline()
-        except ValueError:  # longer than any line of nginx: the stream goes on after it
+        except ValueError:  # a line longer than any of nginx; the stream goes on after it
             continue
         if not line:
             return

@@ -1,7 +1,7 @@
-"""The secret that signs sessions: given, or kept in a file that only its owner can read.
+"""The secret that signs sessions: BOKEH_SECRET_KEY, or a file that only its owner can read.
 
-`python -m deploy.secret` makes the one that several workers share, in ROTORSTAB_SECRET_FILE; one
-that is there stays.
+`python -m deploy.secret` makes the secret that several workers share, in ROTORSTAB_SECRET_FILE; an
+existing secret stays.
 """
 
 import os
@@ -16,12 +16,19 @@ __all__ = ["find_secret", "make_secret"]
 
 
 def find_secret(settings: Settings, make: bool) -> str:
-    """Return the secret; where there is none yet, make it or refuse.
+    """Return the secret.
+
+    Parameters
+    ----------
+    settings : Settings
+        Of this server.
+    make : bool
+        Whether to make the secret where there is none yet.
 
     Raises
     ------
     SettingError
-        With what to do.
+        Where there is no secret that can be used; the message says what to do.
     """
     if settings.secret:
         return settings.secret
@@ -51,7 +58,7 @@ def find_secret(settings: Settings, make: bool) -> str:
 
 
 def make_secret(path: Path) -> None:
-    """Write a new secret, whole or not at all; one that is there stays."""
+    """Write a new secret, complete or not at all; an existing secret stays."""
     new = path.with_name(f".{path.name}.{os.getpid()}")
     path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
     try:

@@ -1,14 +1,14 @@
-"""Harden `panel serve`: pass this file as `--setup deploy/setup.py`. See `deploy/patches`."""
+"""Harden `panel serve`, with `--setup deploy/setup.py`: install every patch of `deploy/patches`."""
 
 from deploy import dashboard, settings
 from deploy.patches import patching
 
 try:
-    found = settings.read()
+    values = settings.read()
 except settings.SettingError as problem:
     settings.exit_with(problem)
 try:
-    # where Panel, Bokeh or Tornado have moved a part, its patch cannot even be imported
+    # Where a part of Panel, Bokeh or Tornado has moved, already the import of its patch fails.
     from deploy.patches import (
         addresses,
         connections,
@@ -25,7 +25,7 @@ try:
         threads,
     )
 
-    # logs first, the slow things last
+    # logs first, so that the others can log
     for part in (
         logs,
         faults,
@@ -41,7 +41,7 @@ try:
         metrics,
         lifecycle,
     ):
-        part.install(found)
+        part.install(values)
 except (ImportError, AttributeError) as problem:
     settings.exit_with(patching.explain(problem))
 patching.hardened = True

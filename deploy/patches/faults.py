@@ -1,13 +1,19 @@
-"""Callbacks that try to end the process: they end themselves, and the log says so."""
+"""Callbacks that try to end the process: only the callback ends, and the log says so."""
+
+from __future__ import annotations
 
 import functools
 import logging
+from collections.abc import Awaitable
+from typing import TypeVar
 
 from tornado.platform.asyncio import BaseAsyncIOLoop
 
+from ..settings import Settings
 from .patching import replace
 
-log = logging.getLogger("rotorstab.faults")
+LOG = logging.getLogger("rotorstab.faults")
+T = TypeVar("T")
 
 loop_start = BaseAsyncIOLoop.start
 
@@ -16,8 +22,14 @@ class EndedItself(RuntimeError):
     """A callback raised SystemExit or KeyboardInterrupt."""
 
 
-async def contain(awaitable):
-    """The result; what would end the process becomes an error like any other."""
+async def contain(awaitable: Awaitable[T]) -> T:
+    """Return the result of an awaitable.
+
+    Raises
+    ------
+    EndedItself
+        Where it raised SystemExit or KeyboardInterrupt, which would end the process.
+    """
     try:
         return await awaitable
     except (SystemExit, KeyboardInterrupt) as error:
@@ -25,15 +37,15 @@ async def contain(awaitable):
 
 
 @functools.wraps(loop_start)
-def start(self):
-    """Run the loop; a callback of its own, such as a timer, that exits does not end it."""
+def start(self: BaseAsyncIOLoop) -> None:
+    """Run the loop, and go on where one of its own callbacks, such as a timer, exits."""
     while True:
         try:
             return loop_start(self)
         except (SystemExit, KeyboardInterrupt):
-            log.exception("a callback tried to end the server")
+            LOG.exception("a callback tried to end the server")
 
 
-def install(settings):
+def install(settings: Settings | None) -> None:
     """Keep this process's server alive until it is told to stop."""
     replace(BaseAsyncIOLoop, "start", start)

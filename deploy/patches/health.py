@@ -1,10 +1,12 @@
 """Health: whether the server's loop still turns.
 
 A loop that hangs cannot answer, so `/health` fails by itself; but somebody has to end the process.
-The loop gives a sign of life each second. A thread that misses it logs once where the loop
+The loop gives a sign of life each second. A thread that misses these signs logs once where the loop
 hangs, and later ends the process, so that its supervisor starts it again. Where not even that
-thread can run (a lock held in compiled code), faulthandler's own thread does the same.
+thread can run, because compiled code holds a lock, the own thread of faulthandler does the same.
 """
+
+from __future__ import annotations
 
 import faulthandler
 import logging
@@ -13,6 +15,7 @@ import sys
 import threading
 import time
 import traceback
+from collections.abc import Callable
 
 from tornado.ioloop import IOLoop, PeriodicCallback
 from tornado.web import RequestHandler
@@ -21,15 +24,16 @@ from ..settings import Settings
 from .sessions import draining
 
 LOG = logging.getLogger("rotorstab.health")
-BEAT = 1.0  # s
-LOGGED_AFTER = 10  # beats missed
+BEAT = 1.0  # s between two signs of life
+LOGGED_AFTER = 10  # signs of life that were missed
 SPARE = 5.0  # s that faulthandler waits longer than the thread
+SHOWN_FRAMES = 12  # of the stack that is logged
 
 
 class HealthHandler(RequestHandler):
     """200 where pages are served, 503 where the server is about to end."""
 
-    async def get(self):
+    async def get(self) -> None:
         self.set_header("Cache-Control", "no-store")
         if draining.is_set():
             self.set_status(503)
@@ -39,9 +43,17 @@ class HealthHandler(RequestHandler):
 
 
 class Watchdog:
-    """Watches the loop of the thread that makes it."""
+    """Watches the loop of the thread that makes it.
 
-    def __init__(self, hang, end=os._exit):
+    Parameters
+    ----------
+    hang : int
+        Signs of life, one each `BEAT`, that may be missed before the process is ended.
+    end : callable
+        Ends the process with an exit code.
+    """
+
+    def __init__(self, hang: int, end: Callable[[int], object] = os._exit) -> None:
         self.hang = hang
         self.end = end
         self.lag = 0.0
@@ -49,46 +61,59 @@ class Watchdog:
         self._due = 0.0
         self._watched = threading.get_ident()
 
-    def beat(self):
-        """Give a sign of life, from the loop."""
+    def beat(self) -> None:
+        """Give a sign of life; the loop calls this."""
         now = time.monotonic()
         self.lag = max(0.0, now - self._due) if self._due else 0.0
         self._due = now + BEAT
         self._beats += 1
-        faulthandler.dump_traceback_later(self.hang + SPARE, exit=True)
 
-    def watch(self, sleep=time.sleep):
-        """Count the beats that are missed, by this thread's own turns: where the whole process
-        was stopped, neither of the two has turned."""
+    def watch(self, sleep: Callable[[float], object] = time.sleep) -> None:
+        """Count the signs of life that are missed, by the turns of this thread.
+
+        Turns and not seconds: where the whole process was stopped, neither this thread nor the loop
+        has turned.
+        """
         missed, last = 0, 0
         while True:
             sleep(BEAT)
             missed = missed + 1 if self._beats == last else 0
             last = self._beats
             if missed == min(LOGGED_AFTER, self.hang):
-                LOG.error("the loop hangs for %d s at:\n%s", missed * BEAT, self.where())
+                LOG.error("the loop hangs for %d s at:\n%s", missed * BEAT, self.stack())
             if missed >= self.hang:
                 LOG.critical("the loop hangs for %d s: this worker ends itself", missed * BEAT)
                 self.end(1)
                 return
 
-    def where(self):
+    def stack(self) -> str:
         """Return the stack of the watched thread."""
         frame = sys._current_frames().get(self._watched)
-        return "".join(traceback.format_stack(frame)[-12:]) if frame else "no such thread"
+        if frame is None:
+            return "no such thread"
+        return "".join(traceback.format_stack(frame)[-SHOWN_FRAMES:])
 
 
-watchdog = None
+watchdog: Watchdog | None = None
 
 
-def install(settings: Settings):
+def loop_lag() -> float:
+    """Return by how many seconds the last sign of life was late."""
+    return watchdog.lag if watchdog else 0.0
+
+
+def install(settings: Settings) -> None:
     """Watch the loop of this thread, from its first turn on."""
     global watchdog
-    watchdog = Watchdog(settings.hang)
+    watchdog = installed = Watchdog(settings.hang)
 
-    def start():
-        watchdog.beat()
-        PeriodicCallback(watchdog.beat, BEAT * 1000).start()
-        threading.Thread(target=watchdog.watch, name="watchdog", daemon=True).start()
+    def beat() -> None:
+        installed.beat()
+        faulthandler.dump_traceback_later(settings.hang + SPARE, exit=True)
+
+    def start() -> None:
+        beat()
+        PeriodicCallback(beat, BEAT * 1000).start()
+        threading.Thread(target=installed.watch, name="watchdog", daemon=True).start()
 
     IOLoop.current().add_callback(start)

@@ -1,66 +1,70 @@
 """Which requests reach a handler.
 
-Those to a name of this server, of a sensible length; of the static files those that the page uses.
+Those to a host name of this server and of a sensible length; of the static files only those that
+the page uses.
 """
+
+from __future__ import annotations
 
 import functools
 import logging
 import re
+from collections.abc import Sequence
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 import bokeh.server.server as bokeh_server
 from bokeh.server.util import check_allowlist
 from tornado.escape import parse_qs_bytes
+from tornado.httputil import HTTPServerRequest
 from tornado.web import Application, RequestHandler
 
 from ..constants import LONGEST_ADDRESS, PAGE_FILES
-from ..settings import LOOPBACK
+from ..settings import LOOPBACK, Settings
 from .patching import replace
 
-log = logging.getLogger("rotorstab.hosts")
+LOG = logging.getLogger("rotorstab.hosts")
 
-LONGEST_KEPT = 8_000  # characters of an address; a page's token carries its query in a header
-LONGEST_VALUE = 3_000  # characters of one value, %-escapes counted; no honest one has as many
-LONGEST_NAME = 20  # characters of a key that are told
-FOR_MACHINES = ("/health", "/metrics")  # asked by whatever name a probe uses
+LONGEST_KEPT = 8_000  # characters of an address; the page's token carries its query in a header
+LONGEST_VALUE = 3_000  # characters of one value with its %-escapes; no page of ours has as many
+LONGEST_NAME = 20  # characters of a key that are kept where the key is too long
+FOR_MACHINES = ("/health", "/metrics")  # a probe asks for them by whatever name it uses
 
 prefix = ""
-find_handler = Application.find_handler
 allowlist = bokeh_server.create_hosts_allowlist
 
 
 class Refused(RequestHandler):
-    """Answers nothing but an error."""
+    """Answers with nothing but an error page, whatever the method."""
 
-    def initialize(self, status):
-        """Keep the error's number."""
+    def initialize(self, status: int) -> None:
         self.status = status
 
-    def prepare(self):
-        """Answer with the error's page, whatever the method."""
+    def prepare(self) -> None:
         self.send_error(self.status)
 
 
-def is_known_host(host, known):
-    """Whether a request's Host is one that browsers were told, or a loopback name."""
+def is_known_host(host: str, known: Sequence[str]) -> bool:
+    """Return whether the Host of a request is a listed origin or a loopback name."""
     try:
         name = urlsplit(f"//{host}").hostname
-        return name in LOOPBACK or check_allowlist(host.lower(), known)
+        return name in LOOPBACK or bool(check_allowlist(host.lower(), known))
     except ValueError:  # brackets without an end, a port that is no number
         return False
 
 
-def is_page_file(path):
-    """Whether a path, as the request has it, is that of a script or style of the page."""
+def is_page_file(path: str) -> bool:
+    """Return whether a path of a request is that of a script or style that the page uses."""
     return re.fullmatch(PAGE_FILES, unquote(path)) is not None
 
 
-def shortened(query, room=LONGEST_KEPT):
-    """A query with no value that is too long, as far as there is room; the rest is counted.
+def shortened(query: str, room: int = LONGEST_KEPT) -> str:
+    """Return a query without values that are too long, and no longer than `room` characters.
 
-    What is left out stays as a key, or a value in words: the page names it among what it ignored.
+    Of a value that is left out the key stays, with the length in words; the page lists it among
+    what it ignores. What does not fit at all is counted in one last key.
     """
-    kept = []
+    kept: list[str] = []
     left = len(query)
     for part in query.split("&"):
         key, equals, value = part.partition("=")
@@ -76,45 +80,53 @@ def shortened(query, room=LONGEST_KEPT):
     return "&".join(kept)
 
 
-def cut(request):
-    """Shorten a request's query."""
-    log.info("shortened an address of %d characters", len(request.uri))
+def shorten(request: HTTPServerRequest) -> None:
+    """Shorten the query of a request."""
+    LOG.info("shortened an address of %d characters", len(request.uri or ""))
     request.query = shortened(request.query)
     request.uri = f"{request.path}?{request.query}"
-    found = parse_qs_bytes(request.query, keep_blank_values=True)
+    parsed = parse_qs_bytes(request.query, keep_blank_values=True)
     for arguments in (request.arguments, request.query_arguments):
         arguments.clear()
-        arguments.update({key: list(values) for key, values in found.items()})
+        arguments.update({key: list(values) for key, values in parsed.items()})
 
 
-@functools.wraps(find_handler)
-def find_known(self, request, **kwargs):
-    """Tornado's choice of a handler, once the request's host and length are sensible."""
-    known = getattr(self, "websocket_origins", None)
+def refusal(application: Application, request: HTTPServerRequest) -> int | None:
+    """Return the status with which a request is refused; None where it is not."""
+    known = getattr(application, "websocket_origins", None)
     path = request.path.removeprefix(prefix)
     if known is not None and path not in FOR_MACHINES and not is_known_host(request.host, known):
-        log.warning("refused a request to the host %.100r", request.host)
-        return self.get_handler_delegate(request, Refused, {"status": 421})
+        LOG.warning("refused a request to the host %.100r", request.host)
+        return 421
     if path.startswith("/static/") and not is_page_file(path):
-        return self.get_handler_delegate(request, Refused, {"status": 404})
-    if len(request.uri) > LONGEST_ADDRESS or len(request.path) > LONGEST_KEPT:
-        return self.get_handler_delegate(request, Refused, {"status": 414})
-    if len(request.uri) > LONGEST_KEPT:
-        cut(request)
-    return find_handler(self, request, **kwargs)
+        return 404
+    if len(request.uri or "") > LONGEST_ADDRESS or len(request.path) > LONGEST_KEPT:
+        return 414
+    return None
 
 
 @functools.wraps(allowlist)
-def allowlist_with_numbers(hosts, port):
-    """Bokeh's list of origins, which takes no IPv6 address, with those that are one."""
+def allowlist_with_ipv6(hosts: Sequence[str] | None, port: int | None) -> list[str]:
+    """Return Bokeh's list of origins, and with it the IPv6 addresses, which Bokeh does not take."""
     numbers = [host for host in hosts or () if host.startswith("[")]
     others = [host for host in hosts or () if not host.startswith("[")]
     return [*numbers, *(allowlist(others, port) if others or not numbers else ())]
 
 
-def install(settings):
-    """Check every request of this process's server."""
+def install(settings: Settings) -> None:
+    """Check every request to this process's server."""
     global prefix
     prefix = settings.prefix
-    replace(bokeh_server, "create_hosts_allowlist", allowlist_with_numbers)
+    find_handler = Application.find_handler  # `plain_serving` may have replaced Tornado's
+
+    @functools.wraps(find_handler)
+    def find_known(self: Application, request: HTTPServerRequest, **kwargs: Any) -> Any:
+        status = refusal(self, request)
+        if status is not None:
+            return self.get_handler_delegate(request, Refused, {"status": status})
+        if len(request.uri or "") > LONGEST_KEPT:
+            shorten(request)
+        return find_handler(self, request, **kwargs)
+
+    replace(bokeh_server, "create_hosts_allowlist", allowlist_with_ipv6)
     replace(Application, "find_handler", find_known)

@@ -1,8 +1,10 @@
-"""The end of a server: told by a signal it drains, within seconds and leaving nothing behind.
+"""The end of a server: after a signal it drains, within seconds, and leaves nothing behind.
 
-New pages and sockets are refused at once, running exports may finish, then the sockets are
-closed; an open page that loses its socket asks again and comes back where a server answers.
+New pages and sockets are refused at once, running exports may finish, then the sockets are closed.
+An open page that loses its socket asks again, and comes back where a server answers.
 """
+
+from __future__ import annotations
 
 import asyncio
 import atexit
@@ -10,6 +12,9 @@ import logging
 import os
 import signal
 import threading
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
 
 from bokeh.server.server import BaseServer
 
@@ -19,63 +24,69 @@ from .patching import replace
 from .sessions import draining, open_sockets
 
 LOG = logging.getLogger("rotorstab.server")
-GOING_AWAY = 1001
+GOING_AWAY = 1001  # code of a socket that is closed because its server ends
 CLOSING = 1.0  # s for the closing handshake of the sockets
-SPARE = 1.0  # s after which a process that should have ended is ended
+SPARE = 1.0  # s beyond the time to drain, after which the process is ended
+SENDING = 0.2  # s that a finished file may take on its way to the page
+EVERYWHERE = ("", "0.0.0.0", "::", None)  # addresses that no browser can open
 
 
-async def _until(done, seconds):
+async def wait_until(is_done: Callable[[], bool], seconds: float) -> None:
     """Wait until a condition holds, at most some seconds."""
     loop = asyncio.get_running_loop()
     end = loop.time() + seconds
-    while not done() and loop.time() < end:
+    while not is_done() and loop.time() < end:
         await asyncio.sleep(0.05)
 
 
-async def drain(seconds, stop):
-    """Refuse, finish, close, stop."""
+async def drain(seconds: float, stop: Callable[[], object]) -> None:
+    """Let running exports finish, close the sockets, then stop the loop."""
     running = dashboard.exports_running()
     LOG.info("draining: %d sockets, %d exports", len(open_sockets), running)
     if running:
-        await _until(lambda: not dashboard.exports_running(), seconds - CLOSING)
-        await asyncio.sleep(0.2)  # the files are on their way to the pages
+        await wait_until(lambda: not dashboard.exports_running(), seconds - CLOSING)
+        await asyncio.sleep(SENDING)
     for socket in list(open_sockets):
         socket.close(GOING_AWAY, "the server restarts")
-    await _until(lambda: not open_sockets, CLOSING)
+    await wait_until(lambda: not open_sockets, CLOSING)
     LOG.info("stopped")
     stop()
 
 
-def run_until_shutdown(server, seconds):
-    """Serve until SIGTERM or SIGINT, then drain; a second signal ends at once."""
+def run_until_shutdown(server: Any, seconds: float) -> None:
+    """Serve until SIGTERM or SIGINT, then drain; a second signal ends the process at once."""
     if not server._started:
         server.start()
     atexit.register(server._atexit)
     loop = asyncio.get_event_loop()
-    ended = threading.Timer(seconds + SPARE, os._exit, (1,))
-    ended.daemon = True
-    tasks = []
+    # the loop may hang and never drain
+    ending = threading.Timer(seconds + SPARE, os._exit, (1,))
+    ending.daemon = True
+    tasks: list[asyncio.Task[None]] = []
 
-    def told(number, frame):
+    def on_signal(number: int, frame: FrameType | None) -> None:
         if draining.is_set():
             os._exit(1)
         draining.set()
-        # the loop may hang and never hear of it
-        ended.start()
+        ending.start()
         loop.call_soon_threadsafe(
             lambda: tasks.append(loop.create_task(drain(seconds, server._loop.stop)))
         )
 
     for number in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(number, told)
-    where = server.address if server.address not in ("", "0.0.0.0", "::", None) else "localhost"
+        signal.signal(number, on_signal)
+    host = "localhost" if server.address in EVERYWHERE else server.address
     prefix = server._tornado.prefix
-    LOG.info("serving http://%s:%s%s/ (Ctrl-C or SIGTERM ends it)", where, server.port, prefix)
+    LOG.info("serving http://%s:%s%s/ (Ctrl-C or SIGTERM ends it)", host, server.port, prefix)
     server._loop.start()
     server.stop()
     dashboard.close()
 
 
-def install(settings: Settings):
+def install(settings: Settings) -> None:
     """Drain this process's server at its end."""
-    replace(BaseServer, "run_until_shutdown", lambda self: run_until_shutdown(self, settings.drain))
+
+    def run(self: Any) -> None:
+        run_until_shutdown(self, settings.drain)
+
+    replace(BaseServer, "run_until_shutdown", run)

@@ -1,37 +1,43 @@
-"""Limits of one client: messages and work a second, refused messages, silence, sizes of requests.
+"""Limits of one client: messages and work per second, refused messages, silence, request sizes.
 
-Clocks are monotonic: a jump of the machine's time changes nothing.
+The clocks are monotonic: a jump of the machine's time changes nothing.
 """
+
+from __future__ import annotations
 
 import asyncio
 import functools
 import logging
 import time
+from collections.abc import Awaitable, Callable
+from typing import Any
 
 import bokeh.server.server as bokeh_server
 from bokeh.server.views.ws import WSHandler
 
+from ..settings import Settings
 from .patching import replace
 
-log = logging.getLogger("rotorstab.limits")
+LOG = logging.getLogger("rotorstab.limits")
 
-RATE, BURST = 150, 900  # messages a second: a drag sends one a frame, a zoom a few
-PATIENCE = 15.0  # s above the rate, then the socket is closed
-# Seconds of the server's one thread that a sender may use while others are active. Half a minute of
-# dragging costs some 10 s, and whoever drags half of the time never runs out.
+RATE, BURST = 150, 900  # messages per second: a drag sends one per frame, a zoom a few
+PATIENCE = 15.0  # s above the rate after which the socket is closed
+# Share of the server's one thread that a sender may use while others are active, and the seconds of
+# it that a sender may use in advance. Half a minute of dragging costs some 10 s, and whoever drags
+# half of the time never runs out.
 SHARE, CREDIT = 0.25, 10.0
-# Of messages that take long, each of which holds up whoever comes meanwhile: a page has one now and
-# then, a stream of them is kept below one twentieth of the time, so that nineteen of twenty
-# messages of the others find the thread free.
+# The same for messages that take longer than LONG [s]: each of them delays everybody who comes
+# meanwhile. A page has one now and then. A stream of them is kept below one twentieth of the time,
+# so that nineteen of twenty messages of the others find the thread free.
 LONG, LONG_SHARE, LONG_CREDIT = 0.06, 0.04, 2.0
-ACTIVE = 2.0  # s since the last message
-LOOK_AGAIN = 1.0  # s after which a sender that waits is let go if nobody else is active any more
-CHEAP = 1e-3  # s of the thread: a message comes in fragments, only the last of which is work
-REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages a second, and at once
+ACTIVE = 2.0  # s after its last message during which a sender counts as active
+LOOK_AGAIN = 1.0  # s after which a waiting sender looks whether anybody else is still active
+CHEAP = 1e-3  # s of the thread; a message comes in fragments, of which only the last is work
+REFUSED_RATE, MOST_REFUSED = 1, 100  # refused messages per second, and at once
 FRAGMENTS = 3  # of one message
-LARGEST_HEADER = 262_144  # bytes; a longer request is dropped by Tornado
+LARGEST_HEADER = 262_144  # bytes; Tornado drops a longer request
 LARGEST_BODY = 65_536  # bytes; no address takes a body
-IDLE_PINGS = 3  # keep-alives that a connection may say nothing between requests
+IDLE_PINGS = 3  # keep-alives during which a connection may be silent between requests
 
 on_message = WSHandler.on_message
 on_close = WSHandler.on_close
@@ -39,53 +45,66 @@ http_server = bokeh_server.HTTPServer
 
 
 class Bucket:
-    """A token bucket on a clock that never jumps."""
+    """A token bucket on a monotonic clock.
 
-    def __init__(self, rate, burst, clock=time.monotonic):
+    Parameters
+    ----------
+    rate : float
+        Amount that is earned per second.
+    burst : float
+        Largest amount that can be saved; the bucket begins with it.
+    clock : callable
+        Returns the time [s].
+    """
+
+    def __init__(
+        self, rate: float, burst: float, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         self._rate, self._burst, self._clock = rate, burst, clock
         self._left, self._last = float(burst), clock()
 
-    def wait(self, amount=1.0):
-        """Take an amount; return the seconds until it is earned, 0 where it was there."""
+    def wait(self, amount: float = 1.0) -> float:
+        """Take an amount; return the time until it is earned [s], 0 where it was saved."""
         now = self._clock()
         self._left = min(self._burst, self._left + (now - self._last) * self._rate) - amount
         self._last = now
         return max(0.0, -self._left / self._rate)
 
 
-def count_refused(socket, kind):
-    """Log the first refused message of a socket; close one that goes on with them."""
+def count_refused(socket: Any, kind: str) -> None:
+    """Log the first refused message of a socket; close a socket that sends too many of them."""
     if not hasattr(socket, "refused"):
         socket.refused = Bucket(REFUSED_RATE, MOST_REFUSED)
-        log.warning("refused a %s; more of this socket are not logged", kind)
+        LOG.warning("refused a %s; more of this socket are not logged", kind)
     if socket.refused.wait() > 0:
         close(socket, "too many refused messages")
 
 
-def close(socket, why):
-    """Close a socket once, with a logged line."""
+def close(socket: Any, reason: str) -> None:
+    """Close a socket once, and log the reason."""
     if not is_closing(socket):
-        log.warning("closed a socket: %s", why)
-        socket.close(1008, why)
+        LOG.warning("closed a socket: %s", reason)
+        socket.close(1008, reason)
 
 
-def is_closing(socket):
-    """Whether a socket is closed or about to be."""
-    return socket.ws_connection is None or socket.ws_connection.is_closing()
+def is_closing(socket: Any) -> bool:
+    """Return whether a socket is closed or about to be."""
+    return socket.ws_connection is None or bool(socket.ws_connection.is_closing())
 
 
-active = {}  # when each socket last sent something
+active: dict[Any, float] = {}
+"""Time at which each socket was last sent a message [s]."""
 
 
-def others_wait(socket):
-    """Whether another socket has sent something lately."""
+def others_wait(socket: Any) -> bool:
+    """Return whether another socket has sent a message in the last `ACTIVE` seconds."""
     now = time.monotonic()
-    for one in [one for one, last in active.items() if now - last > ACTIVE]:
-        del active[one]
-    return any(one is not socket for one in active)
+    for sender in [each for each, last in active.items() if now - last > ACTIVE]:
+        del active[sender]
+    return any(sender is not socket for sender in active)
 
 
-async def pay(socket):
+async def pay(socket: Any) -> None:
     """Wait until a sender has paid for its share of the thread, as long as others are active."""
     while not is_closing(socket) and others_wait(socket):
         debt = max(socket.work.wait(0), socket.long_work.wait(0))
@@ -94,23 +113,33 @@ async def pay(socket):
         await asyncio.sleep(min(debt, LOOK_AGAIN))
 
 
-async def paced(self, fragment, handle=on_message):
-    """Handle a fragment; a sender above the rate waits, and the network holds the rest back."""
-    if is_closing(self):
+async def hold_to_rate(socket: Any) -> bool:
+    """Have a sender above the rate wait; return False where it was closed for being too fast."""
+    if not hasattr(socket, "pace"):
+        socket.pace, socket.hurried_since = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
+        socket.work, socket.long_work = Bucket(SHARE, CREDIT), Bucket(LONG_SHARE, LONG_CREDIT)
+    seconds = socket.pace.wait()
+    if seconds == 0:
+        socket.hurried_since = None
+        return True
+    now = time.monotonic()
+    socket.hurried_since = socket.hurried_since or now
+    if now - socket.hurried_since > PATIENCE:
+        close(socket, "too many messages")
+        return False
+    await asyncio.sleep(seconds)
+    return True
+
+
+async def paced(
+    self: Any, fragment: Any, handle: Callable[[Any, Any], Awaitable[Any]] = on_message
+) -> None:
+    """Handle a fragment within the sender's limits.
+
+    A sender that has to wait is not read meanwhile, so the network holds the rest back.
+    """
+    if is_closing(self) or not await hold_to_rate(self):
         return
-    if not hasattr(self, "pace"):
-        self.pace, self.hurried = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
-        self.work, self.long_work = Bucket(SHARE, CREDIT), Bucket(LONG_SHARE, LONG_CREDIT)
-    wait = self.pace.wait()
-    if wait > 0:
-        now = time.monotonic()
-        self.hurried = self.hurried or now
-        if now - self.hurried > PATIENCE:
-            close(self, "too many messages")
-            return
-        await asyncio.sleep(wait)
-    else:
-        self.hurried = None
     began = time.thread_time()
     await handle(self, fragment)
     used = time.thread_time() - began
@@ -118,25 +147,25 @@ async def paced(self, fragment, handle=on_message):
     self.work.wait(used)
     if used > LONG:
         self.long_work.wait(used)
-    # at least one turn of the loop: what was read in one go would be handled in one go
+    # At least one turn of the loop: all fragments that were read at once would be handled at once.
     await asyncio.sleep(0)
     if used > CHEAP:
         await pay(self)
 
 
 @functools.wraps(on_close)
-def close_once(self):
-    """Take leave of a session; a socket that was cut in the middle of an answer has none."""
+def close_once(self: Any) -> None:
+    """Leave the session; a socket that was cut in the middle of an answer has none."""
     active.pop(self, None)
     if self.connection is None or self.connection._session is not None:
         on_close(self)
 
 
-def install(settings):
+def install(settings: Settings) -> None:
     """Bound what a client may send to this process's server."""
     replace(WSHandler, "on_message", paced)
     replace(WSHandler, "on_close", close_once)
-    # Bokeh pings and never looks for the answer; Tornado does
+    # Bokeh sends pings and never looks for the answers; Tornado does both
     for name in ("ping_interval", "ping_timeout"):
         replace(WSHandler, name, settings.keep_alive)
     server = functools.partial(

@@ -1,10 +1,13 @@
-"""Log lines: bounded, and one JSON object a line where no person is watching."""
+"""Log lines: of bounded length, and one JSON object a line where no person reads them."""
+
+from __future__ import annotations
 
 import functools
 import json
 import logging
 import sys
 import time
+from typing import Any
 
 from tornado.httpserver import _HTTPRequestContext
 from tornado.httputil import HTTPServerRequest
@@ -13,14 +16,14 @@ from tornado.web import Application, RequestHandler
 from ..settings import Settings
 from .patching import replace
 
-LONGEST_LINE = 2000
-SHOWN_OF_ID = 8
+LONGEST_LINE = 2000  # characters of a message or a traceback
+SHOWN_OF_ID = 8  # characters of a session's name
 
 log_request = Application.log_request
 
 
 def shorten(text: str) -> str:
-    """Return the text with its middle cut out where it is longer than a log line may be."""
+    """Return a text, with its middle cut out where it is longer than a log line may be."""
     if len(text) <= LONGEST_LINE:
         return text
     half = LONGEST_LINE // 2
@@ -28,71 +31,79 @@ def shorten(text: str) -> str:
 
 
 def current_session() -> str:
-    """Return the first characters of the session that is being served, or nothing."""
+    """Return the first characters of the session that is being served; empty where none is."""
     try:
         state = sys.modules["panel.io.state"].state
         return str(state.curdoc.session_context.id)[:SHOWN_OF_ID]
-    except Exception:  # there is none; a log line never fails
+    except Exception:  # there is none; writing a log line never fails
         return ""
 
 
 class ShortRecord(logging.LogRecord):
     """A log record of bounded length that knows its session."""
 
-    def __init__(self, *args, **kwargs):
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self.session = current_session()
         if self.exc_info and self.exc_info[0] is not None:
             self.exc_text = shorten(logging.Formatter().formatException(self.exc_info))
 
-    def getMessage(self):
+    def getMessage(self) -> str:
         return shorten(super().getMessage())
 
 
 class JsonFormatter(logging.Formatter):
     """One JSON object a line: time [UTC], level, logger, message, session, traceback."""
 
-    converter = time.gmtime
+    def converter(self, seconds: float | None) -> time.struct_time:
+        return time.gmtime(seconds)
 
-    def format(self, record):
+    def format(self, record: logging.LogRecord) -> str:
         line = {
             "time": self.formatTime(record, "%Y-%m-%dT%H:%M:%S") + f".{int(record.msecs):03}Z",
             "level": record.levelname.lower(),
             "logger": record.name,
             "message": record.getMessage(),
         }
-        if record.session:
-            line["session"] = record.session
-        if record.exc_info or record.exc_text:
-            line["traceback"] = record.exc_text or self.formatException(record.exc_info)
+        if session := getattr(record, "session", ""):
+            line["session"] = session
+        if record.exc_text:
+            line["traceback"] = record.exc_text
+        elif record.exc_info:
+            line["traceback"] = self.formatException(record.exc_info)
         return json.dumps(line)
 
 
 def summary(handler: RequestHandler) -> str:
-    """Return what Tornado logs of a request: no query, which is the student's own, no address."""
+    """Return what Tornado logs of a request: without address, and without the student's query."""
     return f"{handler.request.method} {handler.request.path}"
 
 
 def shown_request(request: HTTPServerRequest) -> str:
-    """Return the same where Tornado logs a request whose handler raised."""
+    """Return the same for Tornado's log line of a request whose handler raised."""
     return f"HTTPServerRequest({request.method} {request.path})"
 
 
+def shown_context(context: _HTTPRequestContext) -> str:
+    """Return what Tornado logs of a connection: without the client's address."""
+    return "a client"
+
+
 @functools.wraps(log_request)
-def log_request_by_kind(self, handler):
-    """Log a request; one that is refused for want of a place is no error of the server."""
+def log_request_by_kind(self: Application, handler: RequestHandler) -> None:
+    """Log a request; a request that is refused for want of a place is no error of the server."""
     if handler.get_status() == 503:
         logging.getLogger("tornado.access").info("503 %s", handler._request_summary())
     else:
         log_request(self, handler)
 
 
-def install(settings: Settings):
+def install(settings: Settings) -> None:
     """Send every log record of this process to standard error in one form."""
     logging.setLogRecordFactory(ShortRecord)
     replace(RequestHandler, "_request_summary", summary)
     replace(HTTPServerRequest, "__repr__", shown_request)
-    replace(_HTTPRequestContext, "__str__", lambda context: "a client")
+    replace(_HTTPRequestContext, "__str__", shown_context)
     replace(Application, "log_request", log_request_by_kind)
     plain = settings.log_format == "text" or (settings.log_format == "auto" and sys.stderr.isatty())
     handler = logging.StreamHandler(sys.stderr)
@@ -104,13 +115,13 @@ def install(settings: Settings):
     root = logging.getLogger()
     root.handlers = [handler]
     root.setLevel(settings.log_level.upper())
-    # Bokeh and Panel bring handlers and levels of their own.
+    # Bokeh and Panel have set handlers and levels of their own
     for name in ("bokeh", "panel", "tornado"):
         logger = logging.getLogger(name)
         logger.handlers.clear()
         logger.propagate = True
         logger.setLevel(logging.NOTSET)
-    # A line a request, a socket, a session: only where asked for.
+    # they log a line for each request, socket and session, which only `debug` shows
     if settings.log_level != "debug":
         for name in ("tornado.access", "bokeh", "panel"):
             logging.getLogger(name).setLevel(logging.WARNING)

@@ -1,7 +1,12 @@
 """What Prometheus may read of a worker: sessions, sockets, updates, errors, caches, memory."""
 
+from __future__ import annotations
+
+import functools
 import ipaddress
 import logging
+from collections.abc import Iterable
+from typing import Any
 
 from bokeh.server.contexts import ApplicationContext
 from prometheus_client import (
@@ -10,9 +15,11 @@ from prometheus_client import (
     Counter,
     Gauge,
     Histogram,
+    Metric,
     generate_latest,
 )
 from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily
+from prometheus_client.registry import Collector
 from tornado.web import HTTPError, RequestHandler
 
 from app.background import telemetry
@@ -22,7 +29,7 @@ from ..settings import Settings
 from . import health, sessions
 from .patching import replace
 
-BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)
+BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)  # s
 
 UPDATES = Histogram(
     "rotorstab_update_seconds", "From a page's message to its answer.", buckets=BUCKETS
@@ -31,19 +38,20 @@ ERRORS = Counter("rotorstab_errors", "Log records of level error or above.", ["l
 OPENINGS = Histogram("rotorstab_session_open_seconds", "To build a session.", buckets=BUCKETS)
 SESSIONS = Gauge("rotorstab_sessions", "Sessions that are held or being built.")
 readers = "loopback"
+"""Who may read the metrics: the setting ROTORSTAB_METRICS."""
 
 
 class CountErrors(logging.Handler):
     """Counts log records by the first two words of their logger."""
 
-    def emit(self, record):
+    def emit(self, record: logging.LogRecord) -> None:
         ERRORS.labels(".".join(record.name.split(".")[:2])).inc()
 
 
-class Collector:
-    """What is counted elsewhere: the caches that all sessions share, and refusals."""
+class SharedCollector(Collector):
+    """What other modules count: the caches that all sessions share, and refusals."""
 
-    def collect(self):
+    def collect(self) -> Iterable[Metric]:
         refused = CounterMetricFamily("rotorstab_refused", "Pages and sockets answered 503.")
         refused.add_metric([], sessions.refused)
         hits = CounterMetricFamily("rotorstab_cache_hits", "Found in a cache.", labels=["cache"])
@@ -57,13 +65,13 @@ class Collector:
 
 
 class MetricsHandler(RequestHandler):
-    """The text format of Prometheus; 404 for whom it is not meant."""
+    """The text format of Prometheus; 404 for those who may not read it."""
 
-    async def get(self):
-        near = ipaddress.ip_address(self.request.remote_ip).is_loopback
-        # what comes through a proxy comes from its user
-        forwarded = any(name.startswith("X-Forwarded") for name in self.request.headers)
-        if readers != "on" and (readers == "off" or forwarded or not near):
+    async def get(self) -> None:
+        is_local = ipaddress.ip_address(self.request.remote_ip or "0.0.0.0").is_loopback
+        # a request that comes through a proxy comes from the proxy's user
+        is_forwarded = any(name.startswith("X-Forwarded") for name in self.request.headers)
+        if readers != "on" and (readers == "off" or is_forwarded or not is_local):
             raise HTTPError(404)
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Type", CONTENT_TYPE_LATEST)
@@ -71,31 +79,31 @@ class MetricsHandler(RequestHandler):
         self.write(generate_latest())
 
 
-def _observe(name, value):
+def observe(name: str, value: float) -> None:
+    """Take a measurement of the dashboard."""
     if name == "update":
         UPDATES.observe(value)
 
 
-def install(settings: Settings):
+def install(settings: Settings) -> None:
     """Measure this process's server."""
     global readers
     readers = settings.metrics
     if readers == "off":
         return
     logging.getLogger().addHandler(CountErrors(logging.ERROR))
-    REGISTRY.register(Collector())
+    REGISTRY.register(SharedCollector())
     Gauge("rotorstab_sockets", "Open sockets.").set_function(lambda: len(sessions.open_sockets))
-    Gauge("rotorstab_loop_lag_seconds", "How late the loop was last.").set_function(
-        lambda: health.watchdog.lag
-    )
+    Gauge("rotorstab_loop_lag_seconds", "How late the loop was last.").set_function(health.loop_lag)
     Gauge("rotorstab_places", "Sessions allowed at a time.").set(settings.max_sessions)
     create = ApplicationContext.create_session_if_needed
 
-    async def timed(self, session_id, *args, **kwargs):
+    @functools.wraps(create)
+    async def timed(self: Any, session_id: str, *args: Any, **kwargs: Any) -> Any:
         if session_id in self._sessions or session_id in self._pending_sessions:
             return await create(self, session_id, *args, **kwargs)
         with OPENINGS.time():
             return await create(self, session_id, *args, **kwargs)
 
     replace(ApplicationContext, "create_session_if_needed", timed)
-    telemetry.observers.append(_observe)
+    telemetry.observers.append(observe)

@@ -1,4 +1,6 @@
-"""How parts of Panel, Bokeh and Tornado are replaced: only where they are what they were."""
+"""How parts of Panel, Bokeh and Tornado are replaced: only parts that are still there."""
+
+from __future__ import annotations
 
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
@@ -18,7 +20,7 @@ def replace(owner: Any, name: str, new: Any) -> None:
     Raises
     ------
     Moved
-        Where there is no such part: the server would run without what the new one guards.
+        Where there is no such part: the server would run without what the new part guards.
     """
     if not hasattr(owner, name):
         raise Moved(f"{getattr(owner, '__name__', owner)} has no {name}")
@@ -27,13 +29,13 @@ def replace(owner: Any, name: str, new: Any) -> None:
 
 def explain(problem: Exception) -> str:
     """Return why the server cannot be hardened, in one line."""
-    found = []
-    for one in PATCHED:
+    installed = []
+    for name in PATCHED:
         try:
-            found.append(f"{one} {version(one)}")
+            installed.append(f"{name} {version(name)}")
         except PackageNotFoundError:
-            found.append(f"no {one}")
+            installed.append(f"no {name}")
     return (
-        f"cannot harden this server, {', '.join(found)}: {problem}."
+        f"cannot harden this server, {', '.join(installed)}: {problem}."
         " pip install 'rotorstab[app]' installs versions that are known"
     )

@@ -1,4 +1,4 @@
-"""Addresses beside the dashboard's own, for `panel serve --plugins deploy.patches.routes`."""
+"""Further addresses of a worker, for `panel serve --plugins deploy.patches.routes`."""
 
 from .health import HealthHandler
 from .metrics import MetricsHandler

@@ -1,13 +1,16 @@
 """Sessions and sockets: counted, and refused before anything is built for them.
 
 A place is held by a session that has a socket. A page whose socket has not come yet, or has gone,
-holds none; it is kept for a while, and the oldest of these gives way where there are too many. Its
-browser loses nothing: the session is built again from the token when the socket comes.
+holds none. It is kept for a while, and the oldest of these pages gives way where there are too
+many. Its browser loses nothing: the session is built again from the token when the socket comes.
 """
+
+from __future__ import annotations
 
 import asyncio
 import functools
 import threading
+from typing import Any, NoReturn
 
 from bokeh.server.contexts import ApplicationContext
 from bokeh.server.session import ServerSession
@@ -21,19 +24,22 @@ from ..settings import Settings
 from .faults import contain
 from .patching import replace
 
-open_sockets = set()
+CONNECTING = 15_000  # ms that a page is kept whose socket has never come
+BETWEEN = 0.02  # s left to messages before a page is built; a message comes in three fragments
+SWITCHING_PROTOCOLS = 101  # status of a handshake that opens a socket
+
+open_sockets: set[Any] = set()
 draining = threading.Event()
 """Set when the server ends: nobody new is served."""
-most_sessions = 60
-refused = 0
-CONNECTING = 15_000  # ms that a page is kept whose socket has never come
 building = asyncio.Lock()
 """Held while a page is built: one at a time, so that messages are answered between two pages."""
-BETWEEN = 0.02  # s left to messages before a page is built; one comes in three fragments
+most_sessions = 60
+refused = 0
+"""Number of pages and sockets that were answered 503."""
 
 
-def refuse():
-    """Answer 503: the class is full, or the server is about to end."""
+def refuse() -> NoReturn:
+    """Answer 503: all places are taken, or the server is about to end."""
     global refused
     refused += 1
     raise HTTPError(503)
@@ -49,16 +55,16 @@ socket_connection_close = WSHandler.on_connection_close
 socket_finish = WSHandler.on_finish
 
 
-def documents(application):
-    """Number of documents that the server holds or is building."""
+def documents(application: Any) -> int:
+    """Return the number of documents that the server holds or is building."""
     return sum(
         len(context._sessions) + len(context._pending_sessions)
         for context in application.applications.values()
     )
 
 
-def places_taken(application):
-    """Number of sessions that have a socket."""
+def places_taken(application: Any) -> int:
+    """Return the number of sessions that have a socket."""
     return sum(
         session.connection_count > 0
         for context in application.applications.values()
@@ -66,35 +72,35 @@ def places_taken(application):
     )
 
 
-def without_socket(context):
-    """Sessions of one app that nobody is connected to, the longest alone first."""
-    alone = [one for one in context._sessions.values() if one.connection_count == 0]
-    return sorted(alone, key=lambda one: -one.milliseconds_since_last_unsubscribe)
+def without_socket(context: Any) -> list[Any]:
+    """Return the sessions of one app that have no socket, beginning with the longest without it."""
+    alone = [each for each in context._sessions.values() if each.connection_count == 0]
+    return sorted(alone, key=lambda each: -each.milliseconds_since_last_unsubscribe)
 
 
-async def discard(context, session):
-    """Discard a session unless somebody connects to it or a message of it is being answered."""
+async def discard(context: Any, session: Any) -> None:
+    """Discard a session, unless a page connects to it or a message of it is being answered."""
     if session.connection_count == 0 and not session.expiration_blocked:
-        await context._discard_session(session, lambda one: one.connection_count == 0)
+        await context._discard_session(session, lambda each: each.connection_count == 0)
 
 
-async def make_room(context):
-    """Discard the oldest sessions without a socket, so that one more of them may be built."""
+async def make_room(context: Any) -> None:
+    """Discard the oldest sessions without a socket, so that one more may be built."""
     alone = without_socket(context)
     for session in alone[: max(0, len(alone) + 1 - most_sessions)]:
         await discard(context, session)
 
 
 @functools.wraps(subscribe)
-def subscribe_and_note(self, connection):
-    """Connect a session, which is kept for longer from then on if the connection is lost."""
+def subscribe_and_note(self: Any, connection: Any) -> None:
+    """Connect a session, which is kept longer from then on if its connection is lost."""
     self.was_connected = True
     subscribe(self, connection)
 
 
 @functools.wraps(cleanup_sessions)
-async def cleanup(self, linger):
-    """Discard sessions that were left, and earlier those that nobody ever connected to."""
+async def cleanup(self: Any, linger: int) -> None:
+    """Discard sessions that were left, and earlier those to which no page ever connected."""
     await cleanup_sessions(self, linger)
     for session in without_socket(self):
         late = session.milliseconds_since_last_unsubscribe > CONNECTING
@@ -102,15 +108,15 @@ async def cleanup(self, linger):
             await discard(self, session)
 
 
-def known_session(handler, token):
-    """Whether the token's session exists; 403 where the token is not one of this server's."""
+def known_session(handler: Any, token: str) -> bool:
+    """Return whether the session of a token exists; 403 where this server did not sign it."""
     server = handler.application
     try:
         genuine = check_token_signature(
             token, signed=server.sign_sessions, secret_key=server.secret_key
         )
         session_id = get_session_id(token)
-    except Exception:  # garbage raises anything: base64, JSON, Unicode, a missing key
+    except Exception:  # of base64, JSON, Unicode, a missing key
         genuine = False
     if not genuine:
         raise HTTPError(403, reason="Invalid token")
@@ -118,23 +124,25 @@ def known_session(handler, token):
 
 
 @functools.wraps(page_session)
-async def session_or_error(self):
-    """The page's session; 500, not an empty page, where the app's file raised."""
+async def session_or_error(self: Any) -> Any:
+    """Return the session of a page; 500 instead of an empty page where the app's file raised."""
     session = await page_session(self)
     if any(handler.failed for handler in self.application_context.application.handlers):
         raise HTTPError(500)
     return session
 
 
-def is_gone(request):
-    """Whether the browser that sent a request has closed its connection; a socket's is its own."""
+def is_gone(request: Any) -> bool:
+    """Return whether the browser that sent a request has closed its connection."""
     stream = getattr(getattr(request, "connection", None), "stream", None)
     return stream is not None and stream.closed()
 
 
 @functools.wraps(create_session_if_needed)
-async def create_session(self, session_id, request=None, token=None):
-    """Bokeh's creation of a session, in turn, less the place it keeps for ever after a failure."""
+async def create_session(
+    self: Any, session_id: str, request: Any = None, token: str | None = None
+) -> Any:
+    """Create a session as Bokeh does, one after another; a failure leaves no pending session."""
     if session_id in self._sessions:
         return await create_session_if_needed(self, session_id, request, token)
     async with building:
@@ -144,8 +152,8 @@ async def create_session(self, session_id, request=None, token=None):
         try:
             return await contain(create_session_if_needed(self, session_id, request, token))
         except BaseException:
-            # from Bokeh 3.10 on it is a task, which frees its place by itself and which others may
-            # wait for
+            # From Bokeh 3.10 on the pending session is a task, which removes itself, and for which
+            # others may wait.
             if not isinstance(self._pending_sessions.get(session_id), asyncio.Task):
                 pending = self._pending_sessions.pop(session_id, None)
                 if pending is not None:
@@ -154,10 +162,10 @@ async def create_session(self, session_id, request=None, token=None):
 
 
 @functools.wraps(session_prepare)
-async def prepare_page(self):
+async def prepare_page(self: Any) -> None:
     """Refuse a page where all places are taken."""
-    # Bokeh's own arguments let a link choose the session or, through bokeh-absolute-url, the host
-    # that the page's scripts come from. No page of ours uses one.
+    # Bokeh's own arguments let a link choose the session or, with bokeh-absolute-url, the host from
+    # which the page's scripts come. No page of ours uses them.
     self.request.headers.pop("Bokeh-Session-Id", None)
     for arguments in (self.request.arguments, self.request.query_arguments):
         for name in [name for name in arguments if name.startswith("bokeh-")]:
@@ -171,13 +179,13 @@ async def prepare_page(self):
 
 
 @functools.wraps(socket_prepare)
-async def prepare_socket(self):
+async def prepare_socket(self: Any) -> None:
     """Refuse a socket from another site, with a false token, or where all places are taken."""
     await socket_prepare(self)
     if self._finished:
         return
-    # Tornado lets Origin pass where it equals Host, before Bokeh's list is asked, and lets a
-    # missing one pass: a name that an attacker points at this server would get in.
+    # Tornado accepts an Origin that equals Host before it asks Bokeh's list, and it accepts a
+    # request without Origin: a host name that an attacker points at this server would get in.
     origins = self.request.headers.get_list("Origin")
     if len(origins) != 1 or not self.check_origin(origins[0]):
         raise HTTPError(403, reason="Origin not allowed")
@@ -193,26 +201,26 @@ async def prepare_socket(self):
 
 
 @functools.wraps(socket_connection_close)
-def socket_gone(self):
+def socket_gone(self: Any) -> None:
     """Free the place of a socket whose connection was lost."""
     open_sockets.discard(self)
     socket_connection_close(self)
 
 
 @functools.wraps(socket_finish)
-def socket_refused(self):
-    """Free the place of a socket whose handshake failed; a good one finishes with 101."""
-    if self.get_status() != 101:
+def socket_refused(self: Any) -> None:
+    """Free the place of a socket whose handshake failed."""
+    if self.get_status() != SWITCHING_PROTOCOLS:
         open_sockets.discard(self)
     socket_finish(self)
 
 
-def install(settings: Settings):
+def install(settings: Settings) -> None:
     """Count and limit the sessions and sockets of this process's server."""
     global most_sessions
     most_sessions = settings.max_sessions
     replace(DocHandler, "get_session", session_or_error)
-    # of a document's references, with every page that opens; the tests look at the page itself
+    # It checks the references of each document that opens; the tests look at the page itself.
     replace(bokeh_settings, "perform_document_validation", False)
     replace(ApplicationContext, "create_session_if_needed", create_session)
     replace(ServerSession, "subscribe", subscribe_and_note)

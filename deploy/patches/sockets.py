@@ -1,12 +1,12 @@
 """How messages are written to a page.
 
-Arrays are sent within their message: a frame and a system call for each cost more than the third
-by which text is longer.
+Arrays are sent within their message: a frame and a system call for each array cost more than the
+third by which text is longer.
 
-Writing to a page that has just gone is no error. Panel writes a message in parts and keeps their
-futures once all have begun. Where the socket closes in between, the first future is lost with its
-`WebSocketClosedError`, and asyncio logs a traceback for an error that nobody could handle. Here
-each such future is looked at.
+Writing to a page that has just gone is no error. Panel writes a message in parts and keeps the
+futures of the parts once all writes have begun. Where the socket closes in between, the first
+future is lost with its `WebSocketClosedError`, and asyncio logs a traceback for an error that
+nobody could handle. Here the result of each such future is taken.
 """
 
 from __future__ import annotations
@@ -21,39 +21,43 @@ from bokeh.core.serialization import Serializer
 from bokeh.settings import settings
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
+from .patching import replace
+
 __all__ = ["install"]
 
-_LOG = logging.getLogger("rotorstab.app")
-_write = WebSocketHandler.write_message
+LOG = logging.getLogger("rotorstab.app")
+write_message = WebSocketHandler.write_message
 
 
-def _look(future: Future[None]) -> None:
+def take_result(future: Future[None]) -> None:
+    """Log the error of a write, unless the socket was only closed."""
     if future.cancelled():
         return
-    error = future.exception()
+    error = future.exception()  # asyncio logs nothing about an error that was taken
     if error is not None and not isinstance(error, WebSocketClosedError):
-        # looked at here, so asyncio will not tell
-        _LOG.error("a message could not be sent", exc_info=error)
+        LOG.error("a message could not be sent", exc_info=error)
 
 
-@wraps(_write)
-def _write_and_look(self: WebSocketHandler, *args: Any, **kwargs: Any) -> Future[None]:
-    future = _write(self, *args, **kwargs)
-    future.add_done_callback(_look)
+@wraps(write_message)
+def write_and_look(self: WebSocketHandler, *args: Any, **kwargs: Any) -> Future[None]:
+    """Write a message, and take the result of the write."""
+    future = write_message(self, *args, **kwargs)
+    future.add_done_callback(take_result)
     return future
 
 
 @cache
-def _tell(words: str) -> None:
-    _LOG.warning(words)
+def warn(message: str) -> None:
+    """Log a warning once."""
+    LOG.warning(message)
 
 
 def install() -> None:
-    """Look at every write of this process; calling it again changes nothing."""
-    patches = import_module("bokeh.protocol.messages.patch_doc")
-    if hasattr(patches, "Serializer"):
-        patches.Serializer = partial(Serializer, deferred=False)
+    """Change how this process writes to its pages; calling it again changes nothing."""
+    patch_doc: Any = import_module("bokeh.protocol.messages.patch_doc")
+    if hasattr(patch_doc, "Serializer"):
+        patch_doc.Serializer = partial(Serializer, deferred=False)
     else:
-        _tell("this Bokeh sends arrays apart from their messages: pages will be slower")
+        warn("this Bokeh sends arrays apart from their messages: pages will be slower")
     settings.compression_level = 0  # the network of a lab is faster than gzip
-    WebSocketHandler.write_message = _write_and_look
+    replace(WebSocketHandler, "write_message", write_and_look)

@@ -1,6 +1,7 @@
-"""Which versions of Panel and its kin the app is made for: the bounds in `pyproject.toml`.
+"""The versions of Panel and related libraries for which the app is made: pyproject.toml's bounds.
 
-The app and its server patch parts of them that are no public interface and may move at any release.
+The app and its server replace parts of these libraries that are no public interface and may move
+at any release.
 """
 
 from __future__ import annotations
@@ -12,22 +13,32 @@ from importlib import metadata
 
 from packaging.requirements import Requirement
 
-__all__ = ["PATCHED", "tell", "unknown"]
+__all__ = ["PATCHED", "unknown", "warn"]
 
-_LOG = logging.getLogger("rotorstab.app")
+LOG = logging.getLogger("rotorstab.app")
 PATCHED = ("panel", "holoviews", "bokeh", "tornado")
 
 
-def _required() -> list[str]:
+def _requirements() -> list[str]:
     try:
         return metadata.requires("rotorstab") or []
     except metadata.PackageNotFoundError:  # run from its sources
         return []
 
 
-def unknown(required: Sequence[str], installed: Callable[[str], str]) -> list[str]:
-    """Return in words which of `PATCHED` have a version that the requirements exclude."""
-    bounds = {one.name: one.specifier for one in map(Requirement, required) if one.name in PATCHED}
+def unknown(requirements: Sequence[str], installed: Callable[[str], str]) -> list[str]:
+    """Return which of `PATCHED` have a version that the requirements exclude, in words.
+
+    Parameters
+    ----------
+    requirements : sequence of str
+        Requirements of rotorstab.
+    installed : callable
+        Returns the installed version of a library.
+    """
+    bounds = {
+        each.name: each.specifier for each in map(Requirement, requirements) if each.name in PATCHED
+    }
     return [
         f"{name} {installed(name)} (made for {bound})"
         for name, bound in bounds.items()
@@ -36,11 +47,11 @@ def unknown(required: Sequence[str], installed: Callable[[str], str]) -> list[st
 
 
 @cache
-def tell() -> None:
-    """Log once whether a version is none that the app is made for."""
-    if words := unknown(_required(), metadata.version):
-        _LOG.warning(
+def warn() -> None:
+    """Log once where a library has a version for which the app is not made."""
+    if libraries := unknown(_requirements(), metadata.version):
+        LOG.warning(
             "this may not work as it should: %s; "
             "pip install 'rotorstab[app]' installs what it is made for",
-            ", ".join(words),
+            ", ".join(libraries),
         )

@@ -49,7 +49,7 @@ def test_only_a_closed_socket_is_let_go(error, monkeypatch, caplog):
 
     async def write_and_forget():
         asyncio.get_running_loop().set_exception_handler(lambda _, context: told.append(context))
-        monkeypatch.setattr(sockets, "_write", lambda *_: asyncio.ensure_future(fail()))
+        monkeypatch.setattr(sockets, "write_message", lambda *_: asyncio.ensure_future(fail()))
         sockets.install()
         WebSocketHandler.write_message(None, "part")
         await asyncio.sleep(0.01)
@@ -65,8 +65,8 @@ def test_whoever_awaits_a_write_still_gets_its_error(monkeypatch):
         raise WebSocketClosedError
 
     async def write():
-        monkeypatch.setattr(sockets, "_write", lambda *_: asyncio.ensure_future(fail()))
-        await sockets._write_and_look(None, "part")
+        monkeypatch.setattr(sockets, "write_message", lambda *_: asyncio.ensure_future(fail()))
+        await sockets.write_and_look(None, "part")
 
     with pytest.raises(WebSocketClosedError):
         run(write())

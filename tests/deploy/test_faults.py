@@ -1,4 +1,4 @@
-"""A full disk, a picture process that dies, a queue that is full: words, and nothing half done."""
+"""Faults of the machine: a full disk, and a process that is killed."""
 
 import errno
 import os
@@ -18,9 +18,9 @@ from rotorstab.cli import parser as cli
 def test_a_full_disk_is_named_to_the_user():
     assert "disk is full" in excuse(OSError(errno.ENOSPC, "No space left on device"))
     for problem in (RuntimeError("/home/x"), OSError(errno.EACCES, "denied", "/home/x")):
-        words = excuse(problem)
-        assert "ask once more" in words
-        assert "/home" not in words
+        sentence = excuse(problem)
+        assert "ask once more" in sentence
+        assert "/home" not in sentence
 
 
 @pytest.mark.parametrize("at", ["write", "fsync", "replace"])
@@ -48,27 +48,28 @@ def test_a_full_disk_leaves_no_part_of_a_file(tmp_path, monkeypatch, capsys, at)
     kept.write_text("old")
     for target, more in ((tmp_path / "new.csv", []), (kept, ["--force"])):
         code = cli.main(["whirl", "--load", "0:1:2", "--output", str(target), *more])
-        words = capsys.readouterr().err
+        message = capsys.readouterr().err
         assert code == 2
-        assert "No space left on device" in words
-        assert words.count("\n") == 1
-    assert [one.name for one in tmp_path.iterdir()] == ["kept.csv"]
+        assert "No space left on device" in message
+        assert message.count("\n") == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["kept.csv"]
     assert kept.read_text() == "old"
 
 
-def test_a_picture_process_that_dies_is_started_again():
+def test_a_picture_process_that_is_killed_fails_its_file_and_the_next_one_is_made():
     printer = Printer()
     figure = chart_figure(solve(State(), settled=False).charts["campbell"], {})
     try:
         first = printer.file("first", figure, "svg")
         assert first.result(60).startswith(b"<?xml")
-        (worker,) = printer.pids()
-        os.kill(worker, signal.SIGSTOP)  # it makes no file before it dies
-        waiting = printer.file("second", figure, "pdf")
-        os.kill(worker, signal.SIGKILL)
+        (process,) = printer.pids()
+        os.kill(process, signal.SIGSTOP)  # it cannot finish the next file
+        killed = printer.file("second", figure, "pdf")
+        os.kill(process, signal.SIGKILL)
         with pytest.raises(BrokenProcessPool):
-            waiting.result(60)
+            killed.result(60)
         again = printer.file("second", figure, "pdf")
         assert again.result(60).startswith(b"%PDF")
+        assert printer.pids() != [process]
     finally:
         printer.close()

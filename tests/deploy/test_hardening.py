@@ -246,7 +246,7 @@ def test_a_bucket_earns_by_its_own_clock():
 
 
 def test_a_jump_of_the_machines_time_changes_no_limit():
-    for limited in (Bucket, connections.Complaint, connections.Accepted):
+    for limited in (Bucket, connections.RareWarning, connections.Accepted):
         assert inspect.signature(limited).parameters["clock"].default is time.monotonic
 
 

@@ -5,6 +5,7 @@ import re
 import socket
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 from urllib.parse import parse_qs, urlsplit
 from urllib.request import urlopen
@@ -17,6 +18,7 @@ from deploy.settings import SettingError, read
 from tests.testing.serving import Server, run
 from tests.testing.wire import opened
 
+ROOT = Path(__file__).parents[2]
 PANEL = [sys.executable, "-m", "panel", "serve"]
 LOOPBACK = ["--address", "127.0.0.1", "--port", "PORT"]
 
@@ -61,17 +63,47 @@ def test_a_page_works_with_dev_and_warm(plain):
     assert "listens on" not in log  # nobody else can reach it
 
 
-def test_the_app_s_file_can_be_served(tmp_path):
-    server = Server(tmp_path / "log.txt", command=[*PANEL, "app/main.py", *LOOPBACK])
+def test_the_app_s_file_is_served_from_another_folder_below_a_prefix(tmp_path):
+    file = ROOT / "app" / "main.py"
+    command = [*PANEL, str(file), "--prefix", "/lab", *LOOPBACK]
+    server = Server(tmp_path / "log.txt", command=command, folder=tmp_path)
     try:
         server.wait()
-        assert hello(server, "/main")["values"]["spin_speed"] == 2.0
-        status, headers, _ = server.get("/main/?spin=1.5&as=0.3")
-        assert (status, headers["Location"]) == (302, "/main?spin=1.5&as=0.3")
-        assert server.get("/components/os/path")[0] == 404  # from the first page on
+        assert hello(server, "/lab/main")["values"]["spin_speed"] == 2.0
+        status, headers, _ = server.get("/lab/main/?spin=1.5&as=0.3")
+        assert (status, headers["Location"]) == (302, "/lab/main?spin=1.5&as=0.3")
+        assert server.get("/lab/components/os/path")[0] == 404  # from the first page on
         assert "Traceback" not in server.log.read_text()
     finally:
         server.stop()
+
+
+WITHOUT = """
+import sys
+from panel.command import main
+sys.modules[{module!r}] = None  # cannot be imported
+sys.argv = ["panel", "serve", {path!r}, "--warm", "--address", "127.0.0.1", "--port", "0"]
+main()
+"""
+
+
+@pytest.mark.parametrize("path", [ROOT / "app", ROOT / "app" / "main.py"])
+@pytest.mark.parametrize("module", ["rotorstab", "app", "deploy"])
+def test_panel_says_in_one_line_that_the_project_is_not_installed(tmp_path, module, path):
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT.format(module=module, path=str(path))],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert done.returncode == 1
+    lines = [line for line in done.stderr.splitlines() if not re.match(r"\d{4}-", line)]  # the log
+    assert len(lines) == 1
+    assert lines[0].startswith("rotorstab: this Python cannot serve the dashboard: ")
+    assert module in lines[0]
+    assert "pip install 'rotorstab[app]'" in lines[0]
 
 
 @pytest.mark.parametrize("query", ["", "?spin=1.5&as=0.3&p1=spin_1~~a%20b%2B"])
