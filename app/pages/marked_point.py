@@ -32,7 +32,7 @@ from rotorstab.charts import (
     pair_layers,
     response_chart,
 )
-from rotorstab.floquet.integrator import harmonic_count
+from rotorstab.floquet.kicks import harmonic_count
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 from rotorstab.model.stiffness import largest_exact_load
 

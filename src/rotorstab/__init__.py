@@ -5,16 +5,13 @@ from .bolotin.chart import BolotinChart, bolotin_chart
 from .bolotin.hill import hill_boundary_frequencies
 from .bolotin.regions import bolotin_mask, in_bolotin_region
 from .floquet.first_order import FirstOrderRegion, first_order_regions
-from .floquet.point import floquet_multipliers, growth_rate
+from .floquet.initial_conditions import initial_conditions
+from .floquet.point import FloquetSolution, floquet_multipliers, floquet_solution, growth_rate
 from .floquet.resonance import Resonance, ResonanceTable, resonances
-from .floquet.response import (
-    ShaftShape,
-    TimeResponse,
-    initial_conditions,
-    shaft_shape,
-    time_response,
-)
+from .floquet.response import TimeResponse, time_response
+from .floquet.shaft_shape import ShaftShape, shaft_shape
 from .floquet.tongues.edges import TongueEdges, tongue_edges
+from .floquet.tongues.outlines import Outline, unstable_outlines
 from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
 from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
@@ -35,6 +32,8 @@ __all__ = [
     "CriticalPulsation",
     "CriticalSpeeds",
     "FirstOrderRegion",
+    "FloquetSolution",
+    "Outline",
     "Resonance",
     "ResonanceTable",
     "Scales",
@@ -58,6 +57,7 @@ __all__ = [
     "finite_element",
     "first_order_regions",
     "floquet_multipliers",
+    "floquet_solution",
     "flutter_load",
     "fundamental_frequency",
     "growth_rate",
@@ -74,5 +74,6 @@ __all__ = [
     "stability_margin",
     "time_response",
     "tongue_edges",
+    "unstable_outlines",
     "whirl_frequencies",
 ]

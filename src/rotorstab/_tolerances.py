@@ -54,3 +54,80 @@ SAME_START = 9
 At rest the backward and the forward whirl have one frequency; both halves of a pair are known to
 more than nine digits there.
 """
+
+# What grows
+
+SMALLEST_GROWTH = 1e-8
+"""Growth rate σ̄ [√(EI/(ρAL⁴))] above which a point is unstable, if it also exceeds its error.
+
+A multiplier is known to about 1e-11 where it is simple, and to the square root of rounding, 1e-8,
+where two of them meet: at the edge of every tongue.
+"""
+
+UNSTABLE_MEAN = 1e-9
+"""Growth rate, relative to the largest |ω|, above which a rotor is unstable without pulsation.
+
+It separates the rounding of simple eigenvalues, 1e-12 at most, from flutter, buckling and rotating
+damping, which grow faster by orders of magnitude as soon as their limit is passed.
+"""
+
+VISIBLE_GROWTH = 1e-6
+"""Growth rate σ̄ above which an undamped rotor counts as unstable in margins and thresholds.
+
+Without damping a tongue of order k ≥ 2 reaches down to p̄_t = 0 as a cusp, so the smallest load
+depends on the growth that counts. This is the smallest one that stands clear of `SMALLEST_GROWTH`
+along a whole cusp. Mean rotors that decay more slowly count as undamped.
+"""
+
+DOUBTFUL_ON_MAP = 1e-6
+"""Growth rate σ̄ in a tongue narrower than a pixel below which a doubtful one counts as stable.
+
+A doubtful growth rate is smaller than its error bound; above this it is solved again point by
+point. It is `VISIBLE_GROWTH`, so that a map does not lack what a margin counts.
+"""
+
+DOUBTFUL_IN_OUTLINE = 3e-5
+"""As `DOUBTFUL_ON_MAP`, for outlines: larger, for these are drawn while a slider moves."""
+
+FIRST_ORDER_GROWTH = 1e-4
+"""Growth of averaged amplitudes, relative to the strongest coupling, that counts.
+
+Two eigenvalues of the averaged matrix that meet are known to 1e-8 of the coupling only; between
+two tongues that touch, growth below this part makes no gap of a width that could be seen.
+"""
+
+ON_UNIT_CIRCLE = 1e-10
+"""Distance |μ| − 1 below which the largest multiplier of an undamped rotor counts as neutral.
+
+A time response over 10,000 periods then neither grows nor decays through the error of its
+propagator, 1e-11.
+"""
+
+UNCERTAIN_PIXEL = 1e-5
+"""Error of a growth rate σ̄ on a map above which the pixel is solved again point by point."""
+
+NO_VERDICT = 1.0
+"""Error of ln max|μ| from which a doubtful pixel has no verdict.
+
+Not even the order of magnitude of the multiplier is known then.
+"""
+
+# Edges of tongues
+
+EDGE = 1e-9
+"""Relative width of the last bracket of an edge θ̄ or of a critical load, solved point by point."""
+
+LIVE_EDGE = 1e-7
+"""As `EDGE`, on the interpolated polynomial: its coefficients have an error of 1e-7."""
+
+MERGED_TONGUES = 1e-5
+"""Part of θ̄: where the rotor is unstable so close beyond an edge, the tongues have merged."""
+
+TOUCHING = 1e-12
+"""Part of θ̄: intervals that are closer are one, cut by the border of two panels."""
+
+SAME_FREQUENCY = 1e-9
+"""Part of θ̄: an edge that is closer to the border of a window lies on the border."""
+
+SAME_POINT = 1e-6
+"""Part of θ̄ or p̄_t: points of a search that are closer are one."""

@@ -10,7 +10,7 @@ from app.results import analysis
 from app.state import State
 from app.state.address import from_arguments
 from rotorstab import ShaftDisk, lumped
-from rotorstab.floquet.interpolant.polynomial import ChartSampler
+from rotorstab.floquet.interpolant.sampling import NodeSampler
 from rotorstab.maps import window
 from rotorstab.model import harmonics, stiffness, system
 from rotorstab.model.stiffness import largest_exact_load
@@ -56,13 +56,13 @@ def evaluations(monkeypatch):
 def work(monkeypatch):
     """The nodes times steps of the panels that are sampled."""
     spent = []
-    sample = ChartSampler._sample
+    sample = NodeSampler.sample
 
-    def count(self, panel):
+    def count(self, panel, periods):
         spent.append(panel.work)
-        return sample(self, panel)
+        return sample(self, panel, periods)
 
-    monkeypatch.setattr(ChartSampler, "_sample", count)
+    monkeypatch.setattr(NodeSampler, "sample", count)
     return spent
 
 

@@ -6,12 +6,8 @@ import pytest
 from app.results.analysis import solve, window_of
 from app.results.growth_maps import known_map
 from app.state import State
-from rotorstab.floquet.interpolant.growth import (
-    largest_modulus,
-    matrix_growth,
-    reversed_growth,
-    self_inversive_growth,
-)
+from rotorstab.floquet.interpolant.growth import largest_modulus, self_inversive_growth
+from rotorstab.floquet.interpolant.matrix_growth import matrix_growth, reversed_growth
 from rotorstab.floquet.point import floquet_solution
 from rotorstab.maps.window import floquet_map
 

@@ -102,7 +102,7 @@ def test_rows_end_before_the_pole_of_the_exact_stiffness():
 
 
 def test_a_larger_system_is_refused():
-    with pytest.raises(ValueError, match="`system` must be of two coordinates"):
+    with pytest.raises(ValueError, match="`system` must have two coordinates"):
         unstable_outlines(finite_element(BASE_CASE, 0.0, modes=3), 0.0, 1.0, 0.5, 1.0)
 
 

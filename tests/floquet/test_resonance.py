@@ -5,7 +5,7 @@ import pytest
 
 from rotorstab import BASE_CASE, critical_load, finite_element, lumped
 from rotorstab.floquet.point import growth_rate
-from rotorstab.floquet.resonance import _tongue, resonances
+from rotorstab.floquet.resonance import averaged_tongue, resonances
 from tests.testing.example_rotors import P, W, one_dof
 
 # speed, tangency, then pair: centre/ω_n, growth per β_d (theory, base case, α_s = 0.5)
@@ -126,6 +126,6 @@ def test_mean_system_past_buckling_is_flagged():
 
 @pytest.mark.parametrize("decay", [(0.0, 0.1), (1e-200, 1e-180), (5e-324, 5e-324)])
 def test_a_decay_that_underflows_is_none(decay):
-    per_load, growth, width, threshold = _tongue(4.0 + 0j, decay, 0.5)
+    per_load, growth, width, threshold = averaged_tongue(4.0 + 0j, decay, 0.5)
     assert (per_load, width, threshold) == pytest.approx((1.0, 1.0, 0.0))
     assert growth == pytest.approx(0.5, rel=0.11)

@@ -21,8 +21,8 @@ from rotorstab import (
     time_response,
     whirl_frequencies,
 )
-from rotorstab.floquet.integrator import divisible
 from rotorstab.floquet.point import floquet_solution
+from rotorstab.floquet.schemes import divisible
 
 ROTOR = ShaftDisk()
 CRITICAL = float(critical_load(ROTOR.shear))

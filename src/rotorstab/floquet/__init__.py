@@ -1,5 +1,6 @@
 """What is unstable under a pulsating load: Floquet's theory, point by point and along tongues.
 
-Read `integrator`, then `point`, `resonance`, `first_order` and `response`; then `interpolant`,
-which makes whole charts quick, and `tongues`, which finds what lies between their pixels.
+Read `schemes`, `kicks` and `integrator`, then `criterion` (what counts as unstable) and `point`,
+then `resonance` and `first_order`; `initial_conditions`, `response` and `shaft_shape` show motion.
+`interpolant` makes whole charts quick, and `tongues` finds what lies between their pixels.
 """

@@ -1,7 +1,7 @@
-"""Unstable regions of first order: what tongues that lie close together make as one.
+"""Unstable regions to first order in the pulsating load, where tongues lie close together.
 
-The resonance table takes each pair of modes alone. Where tongues share modes and lie close, as at
-rest where 1B+2B and 1F+2F have one centre and 1B+1F may be near, the pairs act together.
+The resonance table treats each pair of modes alone. Where tongues share a mode and lie close, the
+pairs act together: at rest 1B+2B and 1F+2F have one centre, and 1B+1F may be near.
 """
 
 from __future__ import annotations
@@ -9,20 +9,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._arguments import number
+from .._tolerances import FIRST_ORDER_GROWTH
+from .._types import Array, Complex, Index, Mask
 from .resonance import Resonance, ResonanceTable
 
 __all__ = ["FirstOrderRegion", "first_order_regions"]
 
-Array = NDArray[np.float64]
-
-_REACH = 3.0  # half-widths from its centre within which a tongue may feel another
-_POINTS = 800
-_GROWS = 1e-4  # of the strongest coupling: below this a double root's rounding
+_REACH = 3.0  # half-widths from its centre within which a tongue may affect another one
+_POINTS = 800  # frequencies at which a group of tongues is scanned
 _BISECTIONS = 40
-_GAP = 4  # points; where one pair hands over to the next growth may touch 0
+# points; growth may touch 0 where one pair hands over to the next: a shorter gap is none
+_SHORTEST_GAP = 4
 
 
 @dataclass(frozen=True)
@@ -32,9 +31,9 @@ class FirstOrderRegion:
     Parameters
     ----------
     tongues : tuple of Resonance
-        What it is made of, by centre.
+        The pairs that make the region, sorted by centre.
     left, right : float
-        Its edges θ̄ [√(EI/(ρAL⁴))].
+        Edges θ̄ of the region [√(EI/(ρAL⁴))].
     """
 
     tongues: tuple[Resonance, ...]
@@ -43,33 +42,34 @@ class FirstOrderRegion:
 
     @property
     def name(self) -> str:
-        """The pairs that make it, such as "1B+2B, 1F+2F"."""
-        return ", ".join(sorted(one.name for one in self.tongues))
+        """The pairs that make the region, such as "1B+2B, 1F+2F"."""
+        return ", ".join(sorted(tongue.name for tongue in self.tongues))
 
     @property
     def centre(self) -> float:
-        """Its middle; the resonance itself where one tongue makes it."""
+        """Middle of the region; the resonance itself where a single tongue makes it."""
         return (self.left + self.right) / 2
 
     @property
     def width(self) -> float:
-        """From edge to edge."""
+        """Distance of the edges."""
         return self.right - self.left
 
 
 def first_order_regions(
     table: ResonanceTable, pulsating_load: float
 ) -> tuple[FirstOrderRegion, ...]:
-    """Return the unstable intervals of θ̄ to first order, tongues that act together as one.
+    """Return the unstable intervals of θ̄ to first order; tongues that act together make one.
 
     With a_i the slowly varying amplitudes of the modes, averaged over a period of the load,
     ȧ = j[diag(ω_i − m_i θ̄) + (p̄_t/2) C] a, where whole numbers m_i differ by 1 between the modes
-    of a pair and C_ij C_ji = −g_ij. Unstable where an eigenvalue has an imaginary part below 0.
+    of a pair and C_ij C_ji = −g_ij. The rotor is unstable where an eigenvalue of the bracket has
+    an imaginary part below 0.
 
     Parameters
     ----------
     table : ResonanceTable
-        Made at the same pulsating load.
+        From `resonances` at the same pulsating load.
     pulsating_load : float
         p̄_t [EI/L²], above 0.
 
@@ -85,121 +85,157 @@ def first_order_regions(
 
     Notes
     -----
-    As the table, of first order: centres shift by O(p̄_t²).
+    Like the table, the regions leave out the shift of the centres, O(p̄_t²).
 
     Examples
     --------
     >>> from rotorstab import ShaftDisk, lumped, resonances
     >>> table = resonances(lumped(ShaftDisk(), 0.0), 1.178, 0.1)
-    >>> [one.name for one in first_order_regions(table, 0.1)]
+    >>> [region.name for region in first_order_regions(table, 0.1)]
     ['1B+1F', '1B+2F, 2B+1F', '2B+2F']
     """
     load = number("pulsating_load", pulsating_load, 0.0, open_low=True)
     regions: list[FirstOrderRegion] = []
     for group in _groups(table.tongues):
-        names = [name for one in group for name in (one.first, one.second)]
-        if len(group) == 1 or len(set(names)) == len(names):
-            regions += _union(group)
-        else:
-            regions += _together(table, group, load)
-    return tuple(sorted(regions, key=lambda one: one.left))
+        names = [name for tongue in group for name in (tongue.first, tongue.second)]
+        share_modes = len(set(names)) < len(names)
+        regions += _coupled_regions(table, group, load) if share_modes else _union(group)
+    return tuple(sorted(regions, key=lambda region: region.left))
+
+
+def _reach(tongue: Resonance) -> tuple[float, float]:
+    """Return the interval of θ̄ in which a tongue may affect another one."""
+    reach = _REACH * tongue.half_width
+    return tongue.centre - reach, tongue.centre + reach
 
 
 def _groups(tongues: tuple[Resonance, ...]) -> list[list[Resonance]]:
     """Return the tongues in groups whose reaches overlap."""
     groups: list[list[Resonance]] = []
     end = -np.inf
-    for one in sorted(tongues, key=lambda one: one.centre - _REACH * one.half_width):
-        if one.centre - _REACH * one.half_width > end:
+    for tongue in sorted(tongues, key=_reach):
+        left, right = _reach(tongue)
+        if left > end:
             groups.append([])
-        groups[-1].append(one)
-        end = max(end, one.centre + _REACH * one.half_width)
+        groups[-1].append(tongue)
+        end = max(end, right)
     return groups
 
 
 def _union(group: list[Resonance]) -> list[FirstOrderRegion]:
-    """Return tongues that share no mode, joined where they overlap."""
-    out: list[FirstOrderRegion] = []
-    for one in sorted(group, key=lambda one: one.centre - one.half_width):
-        left, right = one.centre - one.half_width, one.centre + one.half_width
-        if out and left <= out[-1].right:
-            last = out.pop()
-            out.append(FirstOrderRegion((*last.tongues, one), last.left, max(last.right, right)))
+    """Return the regions of tongues that share no mode, joined where they overlap."""
+    regions: list[FirstOrderRegion] = []
+    for tongue in sorted(group, key=lambda tongue: tongue.centre - tongue.half_width):
+        left, right = tongue.centre - tongue.half_width, tongue.centre + tongue.half_width
+        if regions and left <= regions[-1].right:
+            last = regions.pop()
+            tongues = (*last.tongues, tongue)
+            regions.append(FirstOrderRegion(tongues, last.left, max(last.right, right)))
         else:
-            out.append(FirstOrderRegion((one,), left, right))
-    return out
+            regions.append(FirstOrderRegion((tongue,), left, right))
+    return regions
 
 
-def _together(table: ResonanceTable, group: list[Resonance], load: float) -> list[FirstOrderRegion]:
-    """Return the unstable intervals of tongues that share modes."""
-    low = min(one.centre - _REACH * one.half_width for one in group)
-    high = max(one.centre + _REACH * one.half_width for one in group)
-    place = {name: index for index, name in enumerate(table.modes)}
-    pairs = [row for row in table if row.coupling != 0 and low <= row.centre <= high]
-    levels = _levels(pairs, table, place)
-    if levels is None:
-        return _union(group)
-    used = sorted(levels)
-    frequencies = np.asarray(table.frequencies, np.complex128)[used]
-    turns = np.array([levels[index] for index in used])
-    coupling = np.zeros((len(used), len(used)), np.complex128)
-    for row in pairs:
-        i, j = used.index(place[row.first]), used.index(place[row.second])
-        coupling[i, j] = coupling[j, i] = load / 2 * np.sqrt(-row.coupling)
-    smallest = _GROWS * float(np.abs(coupling).max())
+@dataclass(frozen=True)
+class _Averaged:
+    """The averaged equations of a group of tongues: ȧ = j[diag(ω − mθ̄) + coupling] a."""
 
-    def grows(theta: Array) -> NDArray[np.bool_]:
-        slow = frequencies - np.multiply.outer(theta, turns)
-        matrices = coupling + slow[..., None] * np.eye(len(used))
+    frequencies: Complex
+    harmonics: Index
+    coupling: Complex
+
+    @classmethod
+    def of(
+        cls, table: ResonanceTable, window: tuple[float, float], load: float
+    ) -> _Averaged | None:
+        """Return the equations of all pairs with centres in a window; None if they close a ring.
+
+        Along a ring of pairs the products g do not determine the couplings C.
+        """
+        low, high = window
+        place = {name: index for index, name in enumerate(table.modes)}
+        pairs = [row for row in table if row.coupling != 0 and low <= row.centre <= high]
+        harmonics = _harmonics(pairs, table, place)
+        if harmonics is None:
+            return None
+        used = sorted(harmonics)
+        coupling = np.zeros((len(used), len(used)), np.complex128)
+        for row in pairs:
+            i, j = used.index(place[row.first]), used.index(place[row.second])
+            coupling[i, j] = coupling[j, i] = load / 2 * np.sqrt(-row.coupling)
+        frequencies = np.asarray(table.frequencies, np.complex128)[used]
+        return cls(frequencies, np.array([harmonics[index] for index in used]), coupling)
+
+    def grows(self, theta: Array) -> Mask:
+        """Tell at which frequencies an amplitude grows."""
+        slow = self.frequencies - np.multiply.outer(theta, self.harmonics)
+        matrices = self.coupling + slow[..., None] * np.eye(len(self.frequencies))
+        smallest = FIRST_ORDER_GROWTH * float(np.abs(self.coupling).max())
         return np.asarray(np.linalg.eigvals(matrices).imag.min(axis=-1) < -smallest)
 
-    theta = np.linspace(low, high, _POINTS)
-    unstable = grows(theta)
-    if not unstable.any():
-        return []
-    change = np.diff(np.concatenate([[False], unstable, [False]]).astype(np.int8))
-    first, last = np.flatnonzero(change == 1), np.flatnonzero(change == -1) - 1
-    apart = first[1:] - last[:-1] > _GAP
-    first, last = first[np.append(True, apart)], last[np.append(apart, True)]
-    inside = np.concatenate([theta[first], theta[last]])
-    outside = theta[np.concatenate([np.maximum(first - 1, 0), np.minimum(last + 1, _POINTS - 1)])]
-    for _ in range(_BISECTIONS):
-        middle = (inside + outside) / 2
-        unstable = grows(middle)
-        inside, outside = np.where(unstable, middle, inside), np.where(unstable, outside, middle)
-    edges = inside.reshape(2, -1).T
-    members: list[list[Resonance]] = [[] for _ in edges]
-    for one in sorted(group, key=lambda one: one.centre):
-        away = np.maximum(np.maximum(edges[:, 0] - one.centre, one.centre - edges[:, 1]), 0.0)
-        members[int(away.argmin())].append(one)
-    return [
-        FirstOrderRegion(tuple(ones), float(left), float(right))
-        for ones, (left, right) in zip(members, edges, strict=True)
-        if ones
-    ]
 
-
-def _levels(
+def _harmonics(
     pairs: list[Resonance], table: ResonanceTable, place: dict[str, int]
 ) -> dict[int, int] | None:
-    """Return m of each mode that the pairs couple; None where they close a ring.
-
-    Along a ring the products g do not tell the couplings.
-    """
-    levels: dict[int, int] = {}
+    """Return m of each mode that the pairs couple; None where they close a ring."""
+    harmonics: dict[int, int] = {}
     left = list(pairs)
     while left:
+        # a pair that has a mode in common with those before, if there is one
         row = next(
-            (one for one in left if {place[one.first], place[one.second]} & set(levels)), left[0]
+            (pair for pair in left if {place[pair.first], place[pair.second]} & set(harmonics)),
+            left[0],
         )
         left.remove(row)
         low, high = sorted(
             (place[row.first], place[row.second]), key=lambda i: table.frequencies[i].real
         )
-        if low in levels and high in levels:
+        if low in harmonics and high in harmonics:
             return None
-        if high in levels:
-            levels[low] = levels[high] - 1
+        if high in harmonics:
+            harmonics[low] = harmonics[high] - 1
         else:
-            levels[high] = levels.setdefault(low, 0) + 1
-    return levels
+            harmonics[high] = harmonics.setdefault(low, 0) + 1
+    return harmonics
+
+
+def _coupled_regions(
+    table: ResonanceTable, group: list[Resonance], load: float
+) -> list[FirstOrderRegion]:
+    """Return the regions of tongues that share modes."""
+    reaches = [_reach(tongue) for tongue in group]
+    window = min(left for left, _ in reaches), max(right for _, right in reaches)
+    averaged = _Averaged.of(table, window, load)
+    if averaged is None:
+        return _union(group)
+    edges = _unstable_intervals(averaged, window)
+    if not len(edges):
+        return []
+    members: list[list[Resonance]] = [[] for _ in edges]
+    for tongue in sorted(group, key=lambda tongue: tongue.centre):
+        away = np.maximum(edges[:, 0] - tongue.centre, tongue.centre - edges[:, 1])
+        members[int(np.maximum(away, 0.0).argmin())].append(tongue)
+    return [
+        FirstOrderRegion(tuple(tongues), float(left), float(right))
+        for tongues, (left, right) in zip(members, edges, strict=True)
+        if tongues
+    ]
+
+
+def _unstable_intervals(averaged: _Averaged, window: tuple[float, float]) -> Array:
+    """Return the edges (k, 2) of the unstable intervals in a window of θ̄."""
+    theta = np.linspace(*window, _POINTS)
+    unstable = averaged.grows(theta)
+    if not unstable.any():
+        return np.empty((0, 2))
+    change = np.diff(np.concatenate([[False], unstable, [False]]).astype(np.int8))
+    first, last = np.flatnonzero(change == 1), np.flatnonzero(change == -1) - 1
+    apart = first[1:] - last[:-1] > _SHORTEST_GAP
+    first, last = first[np.append(True, apart)], last[np.append(apart, True)]
+    inside = np.concatenate([theta[first], theta[last]])
+    outside = theta[np.concatenate([np.maximum(first - 1, 0), np.minimum(last + 1, _POINTS - 1)])]
+    for _ in range(_BISECTIONS):
+        middle = (inside + outside) / 2
+        unstable = averaged.grows(middle)
+        inside, outside = np.where(unstable, middle, inside), np.where(unstable, outside, middle)
+    return inside.reshape(2, -1).T

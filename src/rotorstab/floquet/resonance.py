@@ -2,50 +2,53 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._arguments import number
-from ..model.modal import modal_basis
-from ..model.system import System
+from .._tolerances import NEGLIGIBLE, UNSTABLE_MEAN
+from .._types import AnyArray, Complex
+from ..model.modal import ModalBasis, modal_basis
+from ..model.system import System, single_speed
 from ..whirl.mode_names import names_of
 
-__all__ = ["Resonance", "ResonanceTable", "resonances"]
+__all__ = ["Resonance", "ResonanceTable", "averaged_tongue", "resonances"]
 
-_NO_COUPLING = 1e-12  # of the largest |g|: a product of rounding errors, not a tongue
-_SLOPE_LOAD = 1e-4
+_SLOPE_LOAD = 1e-4  # p̄_t of the slope K₁/p̄_t where the given one is 0
 
 
 @dataclass(frozen=True)
 class Resonance:
-    """One pair of modes that the pulsating load can couple.
+    """A pair of modes that the pulsating load can couple.
 
     Parameters
     ----------
     first, second : str
-        Names of the two modes, backward first, then the lower number.
+        Names of the two modes; backward before forward, then by number.
     centre : float
         θ̄ = |ω_i − ω_j| [√(EI/(ρAL⁴))], the first-order centre of the tongue.
     coupling : complex
-        g = B'_ij B'_ji of theory; real without damping. A tongue needs g > 0.
+        g = B'_ij B'_ji, see `resonances`; real without damping. The modes make a tongue if g > 0.
     growth_per_load : float
-        Peak growth rate per unit pulsating load, undamped part, Re√g/2; 0 without a tongue.
+        Peak growth rate per unit pulsating load without the decay of the modes, Re√g/2; 0 if the
+        modes make no tongue.
     growth : float
-        Peak growth rate at the given pulsating load, damping included; negative is decay,
-        NaN if the mean system is unstable.
+        Peak growth rate [√(EI/(ρAL⁴))] at the given pulsating load, damping included; negative if
+        the pair decays, NaN if one of the modes grows without pulsation.
     half_width : float
-        Half-width in θ̄ of the tongue at the given pulsating load, 0 where stable.
+        Half-width in θ̄ of the tongue at the given pulsating load; 0 where the pair is stable.
     threshold : float
-        Pulsating load from which the tongue is unstable: 0 undamped, inf without a tongue.
+        Pulsating load p̄_t [EI/L²] above which the pair is unstable: 0 without damping, inf if the
+        modes make no tongue.
     unstable : bool
-        Whether the tongue exists at the given pulsating load (undamped: at any).
+        Whether the pair is unstable at the given pulsating load; without damping, at any load.
+        Always False where the mean system is unstable by itself.
     kind : str
-        "principal" (the two whirls of one number), "sum" (two numbers, opposite
+        "principal" (backward and forward whirl of one number), "sum" (two numbers, opposite
         precession) or "difference" (same precession).
     precession : str
         "same" or "opposite".
@@ -76,17 +79,17 @@ class ResonanceTable:
     Parameters
     ----------
     rows : tuple of Resonance
-        n(2n − 1) of them.
+        All n(2n − 1) pairs of the 2n modes.
     frequencies : (2n,) float or complex
         Whirl frequencies of the mean system, sorted by real part.
     modes : tuple of str
         Their names.
     mean_growth : float
-        Growth rate of the mean system alone, max(−Im ω); above 0 it is unstable by itself.
+        Growth rate of the mean system, that is without pulsation: max(−Im ω).
     """
 
     rows: tuple[Resonance, ...]
-    frequencies: NDArray[Any]
+    frequencies: AnyArray
     modes: tuple[str, ...]
     mean_growth: float
 
@@ -99,7 +102,7 @@ class ResonanceTable:
         return len(self.rows)
 
     def __getitem__(self, name: str) -> Resonance:
-        """Return the pair of one name, such as "1B+1F"."""
+        """Return the pair with a given name, such as "1B+1F"."""
         for row in self.rows:
             if row.name == name:
                 return row
@@ -110,20 +113,64 @@ class ResonanceTable:
         """The unstable pairs only."""
         return tuple(row for row in self.rows if row.unstable)
 
+    @property
+    def mean_is_unstable(self) -> bool:
+        """Whether the mean system grows without pulsation, by more than rounding."""
+        return bool(self.mean_growth > UNSTABLE_MEAN * np.abs(self.frequencies).max())
+
+    def nearest(self, frequency: float, highest_order: int) -> tuple[Resonance, int] | None:
+        """Return the pair and order k whose θ̄ = |ω_i − ω_j|/k explains a frequency best.
+
+        Parameters
+        ----------
+        frequency : float
+            θ̄ [√(EI/(ρAL⁴))], above 0.
+        highest_order : int
+            Largest k considered.
+
+        Returns
+        -------
+        (Resonance, int) or None
+            Smallest k |ln(|ω_i − ω_j|/(kθ̄))|: a higher order must be nearer to be chosen. Only
+            pairs that make a tongue without damping count; None if there are none.
+        """
+        choices = [
+            (abs(math.log(row.centre / k / frequency)) * k, row.name, k)
+            for row in self.rows
+            if row.growth_per_load > 0 and row.centre > 0
+            for k in range(1, highest_order + 1)
+        ]
+        if not choices:
+            return None
+        _, name, order = min(choices)
+        return self[name], order
+
 
 def _classify(first: str, second: str) -> tuple[str, str, str, str]:
-    """Return both names in display order, the kind and the precession."""
+    """Return the names of two modes in display order, the kind of pair and the precession."""
     first, second = sorted((first, second), key=lambda name: (name[-1], int(name[:-1])))
     if first[-1] == second[-1]:
         return first, second, "difference", "same"
     return first, second, "principal" if first[:-1] == second[:-1] else "sum", "opposite"
 
 
-def _tongue(coupling: complex, decay: tuple[float, float], load: float) -> tuple[float, ...]:
+def averaged_tongue(
+    coupling: complex, decay: tuple[float, float], load: float
+) -> tuple[float, float, float, float]:
     """Return growth per load, growth, half-width and threshold of one resonant pair.
 
-    The averaged pair a' = −σ_i a + (jp/2)B_ij b, b' = (±jδ − σ_j) b + (jp/2)B_ji a; with a
-    complex g the detuning that grows most splits its phase evenly, so g_eff = (|g| + Re g)/2.
+    The averaged pair is a' = −σ_i a + (jp/2)B_ij b, b' = (±jδ − σ_j) b + (jp/2)B_ji a. With a
+    complex g the detuning δ of largest growth splits the phase of g evenly, so that the pair acts
+    like one with g_eff = (|g| + Re g)/2.
+
+    Parameters
+    ----------
+    coupling : complex
+        g.
+    decay : (float, float)
+        σ_i and σ_j, decay rates of the two modes.
+    load : float
+        p̄_t.
     """
     low, high = sorted(decay)
     strength = (abs(coupling) + coupling.real) / 2
@@ -131,11 +178,11 @@ def _tongue(coupling: complex, decay: tuple[float, float], load: float) -> tuple
     drive = load**2 * strength / 4
     growth = -(low + high) / 2 + (((high - low) / 2) ** 2 + drive) ** 0.5
     if strength == 0:
-        return 0.0, growth, 0.0, np.inf
+        return 0.0, growth, 0.0, math.inf
     if low < 0:
-        return per_load, np.nan, np.nan, 0.0
+        return per_load, math.nan, math.nan, 0.0
     product = low * high
-    if product == 0:  # or so small that it underflows
+    if product == 0:  # no decay, or so little that the product underflows
         return per_load, growth, 2 * drive**0.5, 0.0
     width = (low + high) * max(drive / product - 1, 0.0) ** 0.5
     return per_load, growth, width, 2 * (product / strength) ** 0.5
@@ -150,7 +197,7 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     Parameters
     ----------
     system : System
-        With one spin speed; lumped or finite-element, damped or not.
+        At one spin speed; lumped or finite-element, damped or not.
     static_load : float
         p̄₀ [EI/L²].
     pulsating_load : float
@@ -163,20 +210,20 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     Raises
     ------
     ValueError
-        If an argument is not one finite number in range, or the exact stiffness has a
-        pole below the largest load.
+        If the system has no single spin speed, an argument is not one finite number in range, or
+        the peak load reaches the pole of the exact stiffness.
 
     Notes
     -----
-    First order in p̄_t: the centre shifts by O(p̄_t²) and tongues at |ω_i − ω_j|/k, k ≥ 2, are
-    not listed. With light damping of ratio σ_i : σ_j the width is that of the damped pair,
-    which does not tend to the undamped one unless σ_i = σ_j. Where two centres lie closer
-    than their widths, only Floquet decides.
+    The table is of first order in p̄_t: it leaves out the shift of the centres, O(p̄_t²), and the
+    tongues at |ω_i − ω_j|/k, k ≥ 2. The width is that of the damped pair; as the damping tends to
+    0 in a ratio σ_i : σ_j, it tends to the undamped width only if σ_i = σ_j. Where two centres
+    lie closer than their widths, see `first_order_regions` or compute the growth rate.
 
     References
     ----------
-    V. V. Bolotin, The Dynamic Stability of Elastic Systems; A. H. Nayfeh and D. T. Mook,
-    Nonlinear Oscillations, ch. 5 (method of averaging).
+    V. V. Bolotin, The Dynamic Stability of Elastic Systems, Holden-Day, 1964; A. H. Nayfeh and
+    D. T. Mook, Nonlinear Oscillations, Wiley, 1979, chapter 5.
 
     Examples
     --------
@@ -185,49 +232,54 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     >>> [row.name for row in table.tongues]
     ['1B+1F', '2B+1F', '1B+2F', '2B+2F']
     """
-    if system.spin_speed.ndim:
-        raise ValueError(
-            f"`system` must have one spin speed, got an array of shape {system.spin_speed.shape}"
-        )
+    single_speed(system)
     static = number("static_load", static_load)
     load = number("pulsating_load", pulsating_load, 0.0)
+    basis, coupling = _couplings(system, static, load)
+    frequencies = basis.frequencies
+    # without damping a non-zero imaginary part is flutter or buckling of the mean system
+    decay = np.imag(frequencies) if np.iscomplexobj(frequencies) else np.zeros(2 * system.size)
+    names = names_of(system, static, frequencies)
+    frequencies.flags.writeable = False
+    table = ResonanceTable((), frequencies, names, float(-decay.min()))
+    stable_mean = not table.mean_is_unstable
+    rows = []
+    for i, j in combinations(range(2 * system.size), 2):
+        first, second, kind, precession = _classify(names[i], names[j])
+        g = complex(coupling[i, j])
+        growth_per_load, growth, width, threshold = averaged_tongue(
+            g, (float(decay[i]), float(decay[j])), load
+        )
+        above = threshold == 0 or load > threshold
+        rows.append(
+            Resonance(
+                first=first,
+                second=second,
+                centre=float(abs((frequencies[i] - frequencies[j]).real)),
+                coupling=g,
+                growth_per_load=growth_per_load,
+                growth=growth,
+                half_width=width,
+                threshold=threshold,
+                unstable=above and growth_per_load > 0 and stable_mean,
+                kind=kind,
+                precession=precession,
+            )
+        )
+    return replace(table, rows=tuple(sorted(rows, key=lambda row: row.centre)))
+
+
+def _couplings(system: System, static: float, load: float) -> tuple[ModalBasis, Complex]:
+    """Return the modal basis of the mean system and g of every pair of its modes, (2n, 2n)."""
     slope = load if load > 0 else _SLOPE_LOAD
     mean, first = system.load_harmonics(static, load)[0], system.load_harmonics(static, slope)[1]
-    shift = system.stiffness(static) - system.load_stiffness(static)
-    basis = modal_basis(system, static, mean + shift)
+    rotating = system.stiffness(static) - system.load_stiffness(static)
+    basis = modal_basis(system, static, mean + rotating)
     n = system.size
     kick = basis.inverse[:, n:] @ np.linalg.solve(system.mass, first / slope) @ basis.vectors[:n]
     # in coordinates (q, q̇) the product changes sign
     coupling = -np.asarray(kick * kick.T, dtype=np.complex128)
-    coupling[np.abs(coupling) <= _NO_COUPLING * np.abs(coupling).max()] = 0
+    coupling[np.abs(coupling) <= NEGLIGIBLE * np.abs(coupling).max()] = 0
     if not system.is_damped and np.isrealobj(basis.frequencies):
         coupling = coupling.real.astype(np.complex128)
-    frequencies = basis.frequencies
-    # without damping a non-zero imaginary part is flutter or buckling of the mean system
-    decay = np.imag(frequencies) if np.iscomplexobj(frequencies) else np.zeros(2 * n)
-    names = names_of(system, static, frequencies)
-    unstable_mean = bool(-decay.min() > 1e-9 * np.abs(frequencies).max())
-    rows = []
-    for i, j in combinations(range(2 * n), 2):
-        label = _classify(names[i], names[j])
-        pair = (float(decay[i]), float(decay[j]))
-        growth_per_load, growth, width, threshold = _tongue(complex(coupling[i, j]), pair, load)
-        exists = threshold == 0 or load > threshold
-        rows.append(
-            Resonance(
-                first=label[0],
-                second=label[1],
-                centre=float(abs((frequencies[i] - frequencies[j]).real)),
-                coupling=complex(coupling[i, j]),
-                growth_per_load=float(growth_per_load),
-                growth=float(growth),
-                half_width=float(width),
-                threshold=float(threshold),
-                unstable=bool(exists and growth_per_load > 0 and not unstable_mean),
-                kind=label[2],
-                precession=label[3],
-            )
-        )
-    rows.sort(key=lambda row: row.centre)
-    frequencies.flags.writeable = False
-    return ResonanceTable(tuple(rows), frequencies, names, float(-decay.min()))
+    return basis, coupling

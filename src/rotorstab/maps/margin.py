@@ -5,20 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import number, numbers
+from .._types import Array, ArrayLike, Index
 from ..floquet.resonance import ResonanceTable, resonances
-from ..floquet.tongues.crossings import Plane, first_crossings
-from ..floquet.tongues.lowest_load import HIGHEST_ORDER, lowest_load
+from ..floquet.tongues.band_threshold import HIGHEST_ORDER, lowest_threshold
+from ..floquet.tongues.crossings import first_crossings
+from ..floquet.tongues.plane import Plane
 from ..model.system import System
 
 __all__ = ["CriticalPulsation", "StabilityMargin", "critical_pulsation", "stability_margin"]
 
-Array = NDArray[np.float64]
-
-_UNSTABLE = 1e-8  # growth rate above which the mean rotor is unstable by itself
-_REACH = 2.0  # first-order half-widths within which the simple resonance is named
+_REACH = 2.0  # first-order half-widths within which a tongue of order 1 is named
+_SMALLEST_LOAD = 1e-12  # p̄_t added to a load of 0, by which half-widths are divided
 
 
 @dataclass(frozen=True)
@@ -30,10 +29,10 @@ class CriticalPulsation:
     excitation_frequencies : (C,) float
         θ̄ [√(EI/(ρAL⁴))].
     pulsating_load : (C,) float
-        p̄_t [EI/L²]; inf where none up to the largest load does, 0 where the mean system is
+        p̄_t [EI/L²]; inf where no load up to the largest destabilises, 0 where the mean system is
         unstable by itself.
     pairs : tuple of str
-        The nearest resonance, such as "1B+1F", or "" where there is none.
+        Mode pair of the nearest resonance, such as "1B+1F"; "" where the load is inf.
     orders : (C,) int
         Its order k in θ̄ = |ω_i − ω_j|/k.
     """
@@ -41,23 +40,24 @@ class CriticalPulsation:
     excitation_frequencies: Array
     pulsating_load: Array
     pairs: tuple[str, ...]
-    orders: NDArray[np.intp]
+    orders: Index
 
 
 @dataclass(frozen=True)
 class StabilityMargin:
-    """Smallest destabilising pulsating load over a band, and its place.
+    """Smallest destabilising pulsating load over a band of frequencies, and where it lies.
 
     Parameters
     ----------
     pulsating_load : float
-        p̄_t [EI/L²]; inf if none up to the largest load.
+        p̄_t [EI/L²]; inf if no load up to the largest destabilises.
     excitation_frequency : float
-        θ̄ where; NaN if none.
+        θ̄ of that load [√(EI/(ρAL⁴))]; NaN if there is none.
     pair : str
-        The mode pair, "" if none.
+        Mode pair of the tongue, such as "1B+1F"; "" if there is none, and where the mean system is
+        unstable by itself.
     order : int
-        Its order k.
+        Order k of the tongue in θ̄ = |ω_i − ω_j|/k.
     """
 
     pulsating_load: float
@@ -67,30 +67,24 @@ class StabilityMargin:
 
 
 def _nearest(table: ResonanceTable, frequency: float, load: float) -> tuple[str, int]:
-    """Return the tongue and order behind an instability at one frequency and load."""
-    # by strength without damping: a damped tongue beyond its threshold may still be the cause
-    rows = [row for row in table if row.growth_per_load > 0 and row.centre > 0]
+    """Return pair and order of the tongue that explains an instability at a frequency and load."""
+    # by the strength without damping: a damped tongue beyond its threshold may still be the cause
     first = [
-        (abs(row.centre - frequency) / (2 * row.growth_per_load * load), row.name) for row in rows
+        (abs(row.centre - frequency) / (2 * row.growth_per_load * load), row.name)
+        for row in table
+        if row.growth_per_load > 0 and row.centre > 0
     ]
     if first and min(first)[0] < _REACH:
         return min(first)[1], 1
-    choices = [
-        (abs(np.log(row.centre / k / frequency)) * k, row.name, k)
-        for row in rows
-        for k in range(1, HIGHEST_ORDER + 1)
-    ]
-    if not choices:
-        return "", 0
-    _, name, order = min(choices)
-    return name, order
+    nearest = table.nearest(frequency, HIGHEST_ORDER)
+    return (nearest[0].name, nearest[1]) if nearest else ("", 0)
 
 
 def _plane(system: System, static_load: float, largest_load: float) -> tuple[Plane, float]:
-    """Return what both functions look at, from checked arguments."""
+    """Return the load–frequency plane and the largest load, from checked arguments."""
     static = number("static_load", static_load)
     largest = number("largest_load", largest_load, 0.0, open_low=True)
-    system.load_harmonics(static, largest)  # refuses a load past the pole of the exact law
+    system.load_harmonics(static, largest)  # refuses a load past the pole of the exact stiffness
     return Plane(system, static, resonances(system, static, 0.0)), largest
 
 
@@ -105,13 +99,13 @@ def critical_pulsation(
     Parameters
     ----------
     system : System
-        One spin speed.
+        At one spin speed.
     static_load : float
         p̄₀ [EI/L²].
     excitation_frequencies : (C,) float
         θ̄ [√(EI/(ρAL⁴))], above 0.
     largest_load : float
-        Largest p̄_t looked at [EI/L²], above 0.
+        Largest p̄_t considered [EI/L²], above 0.
 
     Returns
     -------
@@ -124,15 +118,24 @@ def critical_pulsation(
 
     Notes
     -----
-    Each frequency is looked at by itself: at 10 to 80 loads, at the first-order crossings of the
-    resonance table, and where two multipliers come closest between them, so that a tongue need
-    not be open at a scanned load. The crossing is refined to 1e-9 on single points. Without
-    damping a growth rate below 1e-6 does not count. A tongue may be missed where more than
-    three pairs of multipliers come close at one load, or where multipliers turn by about one
-    radian or more from one scanned load to the next: at θ̄ far below the whirl frequencies.
-    One that is narrower than the distance of the scanned loads may also be missed where several
-    pairs come close between two of them: in 4 of 820 cases of random rotors with little damping
-    or none, at θ̄ of 0.5 to 5 fundamental frequencies, against a scan of 80 to 640 loads.
+    Each frequency is searched by itself: at 10 to 80 loads, at the first-order crossings of the
+    resonance table, and where two multipliers come closest between them, so that a tongue is found
+    even if it is open at none of these loads. The crossing is refined to 1e-9 on single points.
+    Without damping a growth rate below 1e-6 does not count.
+
+    A tongue may be missed where more than three pairs of multipliers come close at one load; where
+    multipliers turn by about one radian or more from one load to the next, that is at θ̄ far below
+    the whirl frequencies; and where it is narrower than the distance of the loads and several
+    pairs come close between two of them. The last happened in 4 of 820 cases of random rotors with
+    little damping or none, at θ̄ of 0.5 to 5 fundamental frequencies, against a scan of 80 to 640
+    loads.
+
+    Examples
+    --------
+    >>> from rotorstab import ShaftDisk, lumped
+    >>> found = critical_pulsation(lumped(ShaftDisk(), 2.0), 1.178, [1.0, 3.2], 2.0)
+    >>> found.pulsating_load.round(4).tolist(), found.pairs
+    ([0.7012, inf], ('1B+1F', ''))
     """
     plane, largest = _plane(system, static_load, largest_load)
     table = plane.table
@@ -142,10 +145,10 @@ def critical_pulsation(
             f"`excitation_frequencies` must be a list of numbers, got shape {theta.shape}"
         )
     critical = np.zeros_like(theta)
-    if table.mean_growth <= _UNSTABLE:
+    if not table.mean_is_unstable:
         critical = first_crossings(plane, theta, np.full(theta.shape, largest))
     named = [
-        _nearest(table, float(f), float(p) + 1e-12) if np.isfinite(p) else ("", 0)
+        _nearest(table, float(f), float(p) + _SMALLEST_LOAD) if np.isfinite(p) else ("", 0)
         for f, p in zip(theta, critical, strict=True)
     ]
     orders = np.array([order for _, order in named], dtype=np.intp)
@@ -166,13 +169,13 @@ def stability_margin(
     Parameters
     ----------
     system : System
-        One spin speed.
+        At one spin speed.
     static_load : float
         p̄₀ [EI/L²].
     lowest_frequency, highest_frequency : float
         The band of θ̄ [√(EI/(ρAL⁴))], above 0.
     largest_load : float
-        Largest p̄_t looked at [EI/L²].
+        Largest p̄_t considered [EI/L²], above 0.
 
     Returns
     -------
@@ -187,30 +190,40 @@ def stability_margin(
 
     Notes
     -----
-    The tip of each tongue of the resonance table is refined on single points (growth 0 and
+    The lowest point of each tongue of the resonance table is refined on single points (growth 0 and
     ∂growth/∂θ̄ = 0), with damping to 1e-6 or better. The ends of the band count with their own
-    crossings, so a tongue rooted outside is seen where it enters. What no first-order tongue
-    explains is then looked for at loads below, unless they are too small for second-order growth
-    to overcome the damping (by an estimate with a factor of 30): in 160 frequencies, and near every
-    θ̄ = |ω_i − ω_j|/k up to k = 6, where the place at which two multipliers come closest is
-    followed. A tongue of higher order counts as far as the 160 frequencies see it, and a band
-    of growth that opens and closes again between the loads looked at may be missed.
+    crossings, so a tongue with its root outside is found where it enters the band.
 
-    Without damping, or with a decay below 1e-6, tongues of order k ≥ 2 reach down to p̄_t = 0
-    in thin cusps: they count from the load at which they grow faster than 1e-6.
+    Smaller loads are then searched for what no first-order tongue explains, unless they are too
+    small for second-order growth to overcome the damping (by an estimate with a factor of 30). The
+    search covers 160 frequencies and the places near θ̄ = |ω_i − ω_j|/k, up to k = 6, at which two
+    multipliers come closest. Tongues of higher order are found only where one of the 160
+    frequencies lies in them; unstable ground that opens and closes again between the searched loads
+    may be missed.
+
+    Without damping, or with a decay below 1e-6, tongues of order k ≥ 2 reach down to p̄_t = 0 as
+    thin cusps: they count from the load at which they grow faster than 1e-6.
+
+    Examples
+    --------
+    >>> from rotorstab import ShaftDisk, lumped
+    >>> system = lumped(ShaftDisk(), 2.0, external_damping=0.01)
+    >>> margin = stability_margin(system, 1.178, 0.8, 2.0, 2.0)
+    >>> round(margin.pulsating_load, 4), margin.pair
+    (0.0561, '1B+1F')
     """
     plane, largest = _plane(system, static_load, largest_load)
     table = plane.table
     low = number("lowest_frequency", lowest_frequency, 0.0, open_low=True)
     high = number("highest_frequency", highest_frequency, low, open_low=True)
-    if table.mean_growth > _UNSTABLE:
+    if table.mean_is_unstable:
         return StabilityMargin(0.0, low, "", 0)
     roots = [row for row in table.tongues if row.threshold == 0 and low <= row.centre <= high]
     if roots:
         best = max(roots, key=lambda row: row.growth_per_load)
         return StabilityMargin(0.0, best.centre, best.name, 1)
-    margin = lowest_load(plane, (low, high), largest)
-    if not np.isfinite(margin.load):
+    lowest = lowest_threshold(plane, (low, high), largest)
+    if not np.isfinite(lowest.load):
         return StabilityMargin(np.inf, np.nan, "", 0)
-    name, order = _nearest(table, margin.frequency, margin.load)
-    return StabilityMargin(margin.load, margin.frequency, name, order)
+    name, order = _nearest(table, lowest.frequency, lowest.load)
+    return StabilityMargin(lowest.load, lowest.frequency, name, order)

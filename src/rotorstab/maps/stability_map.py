@@ -5,21 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 from .._arguments import number, numbers
-from ..floquet.interpolant.polynomial import ChartSampler
+from .._tolerances import NO_VERDICT, SMALLEST_GROWTH, UNCERTAIN_PIXEL
+from .._types import Array, ArrayLike, Mask
+from ..floquet.interpolant.chart_interpolant import ChartInterpolant
 from ..floquet.point import floquet_solution
-from ..floquet.tongues.narrow import hidden_by_table, hidden_on_panel
-from ..model.system import System
+from ..floquet.tongues.subpixel import growth_of_collisions, growth_of_table
+from ..model.system import System, single_speed
 
 __all__ = ["StabilityChart", "stability_chart", "stability_map"]
-
-Array = NDArray[np.float64]
-
-_GROWTH_ERROR = 1e-5  # pixels that may be worse are computed again, one by one
-_FLOOR = 1e-8  # rounding in a growth rate
-_UNKNOWN = 1.0  # error of ln max|μ| from which a pixel in doubt has no verdict
 
 
 @dataclass(frozen=True)
@@ -52,7 +47,7 @@ class StabilityChart:
     growth: Array
     error: Array
     peak_growth: Array
-    unstable: NDArray[np.bool_]
+    unstable: Mask
     refined: int
     seeded: int
 
@@ -61,10 +56,7 @@ def _checked(
     system: System, static_load: float, loads: ArrayLike, frequencies: ArrayLike
 ) -> tuple[float, Array, Array]:
     """Return the arguments of a chart as numbers and arrays."""
-    if system.spin_speed.ndim:
-        raise ValueError(
-            f"`system` must have one spin speed, got an array of shape {system.spin_speed.shape}"
-        )
+    single_speed(system)
     rows = np.array(numbers("pulsating_loads", loads))
     columns = np.array(numbers("excitation_frequencies", frequencies, 0.0, open_low=True))
     for name, array in (("pulsating_loads", rows), ("excitation_frequencies", columns)):
@@ -135,51 +127,56 @@ def stability_chart(
     >>> chart.unstable.tolist()
     [[False, False], [False, True]]
     """
-    static, given_loads, frequencies = _checked(
+    static, all_loads, all_frequencies = _checked(
         system, static_load, pulsating_loads, excitation_frequencies
     )
     density = number("density", density, 0.3, 3.0)
-    shape = (len(given_loads), len(frequencies))
+    shape = (len(all_loads), len(all_frequencies))
     growth, error, peak = (np.full(shape, np.nan) for _ in range(3))
     refined = 0
-    order = np.argsort(-frequencies, kind="stable")
-    magnitude = np.abs(given_loads)
+    # rising loads below the pole, falling frequencies: rising periods
+    columns = np.argsort(-all_frequencies, kind="stable")
+    frequencies, magnitude = all_frequencies[columns], np.abs(all_loads)
     valid = np.flatnonzero(static + magnitude < system.largest_load)
     rows = valid[np.argsort(magnitude[valid], kind="stable")]
     if rows.size:
-        loads, periods = magnitude[rows], 2 * np.pi / frequencies[order]
+        loads, periods = magnitude[rows], 2 * np.pi / frequencies
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            sampler = ChartSampler(system, static, float(loads[-1]), periods, density, seed)
-            part, slack, _ = sampler.growth(*sampler.on_grid(loads, periods), periods)
+            interpolant = ChartInterpolant(
+                system, static, float(loads[-1]), periods, density, between=seed
+            )
+            part, slack, _ = interpolant.growth(*interpolant.on_grid(loads, periods), periods)
             if refine:
                 most = part.size if refine is True else refine
-                refined = _refine(system, static, loads, frequencies[order], part, slack, most)
-            # not even the order of magnitude of the multiplier is known
-            part[(np.abs(part) <= slack) & ~(slack * periods < _UNKNOWN)] = np.nan
-        tall = np.array(part)
-        if seed and not sampler.closed_form:
-            tall = np.fmax(tall, hidden_by_table(sampler, loads, frequencies[order]))
-        elif seed:
-            for index, panel in enumerate(sampler.panels):
-                if panel.period_nodes and panel.high > panel.low:
-                    tall = np.fmax(tall, hidden_on_panel(sampler, index, loads, periods))
-        target = np.ix_(rows, order)
-        growth[target], error[target], peak[target] = part, np.maximum(slack, _FLOOR), tall
+                refined = _refine(system, static, loads, frequencies, part, slack, most)
+            part[(np.abs(part) <= slack) & ~(slack * periods < NO_VERDICT)] = np.nan
+        highest = _with_subpixel(part, interpolant, loads, frequencies) if seed else part
+        target = np.ix_(rows, columns)
+        growth[target], peak[target] = part, highest
+        error[target] = np.maximum(slack, SMALLEST_GROWTH)
     with np.errstate(invalid="ignore"):
-        here = growth > error
-        unstable = here | (peak > np.maximum(growth, 0) + _FLOOR)
-    for array in (given_loads, frequencies, growth, error, peak, unstable):
+        at_centre = growth > error
+        unstable = at_centre | (peak > np.maximum(growth, 0) + SMALLEST_GROWTH)
+    for array in (all_loads, all_frequencies, growth, error, peak, unstable):
         array.flags.writeable = False
+    seeded = int((unstable & ~at_centre).sum())
     return StabilityChart(
-        given_loads,
-        frequencies,
-        growth,
-        error,
-        peak,
-        unstable,
-        refined,
-        int((unstable & ~here).sum()),
+        all_loads, all_frequencies, growth, error, peak, unstable, refined, seeded
     )
+
+
+def _with_subpixel(
+    growth: Array, interpolant: ChartInterpolant, loads: Array, frequencies: Array
+) -> Array:
+    """Return the growth (R, C), or that of a tongue narrower than a pixel where it is larger."""
+    highest = growth.copy()
+    if not interpolant.closed_form:
+        return np.fmax(highest, growth_of_table(interpolant, loads, frequencies))
+    periods = 2 * np.pi / frequencies
+    for index, panel in enumerate(interpolant.panels):
+        if panel.period_nodes and panel.high > panel.low:
+            highest = np.fmax(highest, growth_of_collisions(interpolant, index, loads, periods))
+    return highest
 
 
 def _refine(
@@ -192,7 +189,7 @@ def _refine(
     most: int,
 ) -> int:
     """Compute doubtful pixels again, in place; return how many."""
-    i, j = np.nonzero(~(error <= _GROWTH_ERROR) | ~np.isfinite(growth))
+    i, j = np.nonzero(~(error <= UNCERTAIN_PIXEL) | ~np.isfinite(growth))
     decided = np.abs(growth[i, j]) > error[i, j]
     first = np.lexsort((j, decided))[:most]  # frequencies fall
     i, j = i[first], j[first]

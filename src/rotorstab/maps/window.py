@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..bolotin.regions import bolotin_mask
-from ..floquet.interpolant.polynomial import ChartSampler
+from ..floquet.interpolant.chart_interpolant import chart_panels
+from ..floquet.interpolant.sampling import NodeSampler
 from ..floquet.tongues.outlines import Outline, unstable_outlines
 from ..model.finite_element import finite_element, first_modes
 from ..model.lumped import lumped
@@ -166,11 +167,11 @@ def _affordable(
     periods = 2 * np.pi / frequencies[order]
     density = PIXELS[model.kind, settled][2]
 
+    sampler = NodeSampler(system, window.static_load, largest)
+
     def fits(count: int) -> bool:
-        plan = ChartSampler(
-            system, window.static_load, largest, periods[:count], density, sample=False
-        )
-        return sum(panel.work for panel in plan.panels) <= MOST_NODES[settled]
+        panels = chart_panels(sampler, periods[:count], density)
+        return sum(panel.work for panel in panels) <= MOST_NODES[settled]
 
     low, high = 0, len(order) + 1  # fits, does not fit
     count = len(order)

@@ -1,4 +1,6 @@
-"""The characteristic polynomial of a rotor over a whole chart, interpolated, and its growth rates.
+"""The multipliers of a rotor over a whole chart, interpolated, and bounds on their error.
 
-Read `nodes`, `characteristic`, `growth`, then `polynomial`.
+Read `panels` and `sampling`, which say where and how the monodromies are sampled, then
+`characteristic`, `growth` and `matrix_growth`, which find the multipliers, then
+`chart_interpolant`.
 """

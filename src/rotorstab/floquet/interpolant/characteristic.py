@@ -7,7 +7,8 @@ is scaled to c₄ = 1, then c₃ = c̄₁ and c₂ is real, for the multipliers 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from ..._types import Array, Complex
 
 __all__ = [
     "characteristic_coefficients",
@@ -15,29 +16,14 @@ __all__ = [
     "quartic_multipliers",
     "reversed_coefficients",
     "self_inversive_multipliers",
-    "solved",
 ]
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
-
-_PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))  # the k-th completes the (5 − k)-th
+# the k-th pair of rows and the (5 − k)-th are together all four rows
+_PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 _FIRST, _SECOND = np.array(_PAIRS).T
-_SIGNS = np.array([1.0, -1.0, 1.0, 1.0, -1.0, 1.0])  # of the permutation: a pair, then the other
-NEAR_END = 0.05  # of 2 ± y: below it one of the two half-angle quotients is 0/0
-_BEYOND = 1e-6  # |y| > 2 by more than this is a real split, not rounding
-
-
-def solved(matrix: Complex, right: Complex) -> Complex:
-    """Return matrix⁻¹ right, all NaN if one of the matrices is singular to rounding.
-
-    That happens where a growth over half a period leaves the range of double precision; a
-    chart then computes those pixels one by one.
-    """
-    try:
-        return np.asarray(np.linalg.solve(matrix, right), dtype=np.complex128)
-    except np.linalg.LinAlgError:
-        return np.full(right.shape, np.nan, dtype=np.complex128)
+_SIGNS = np.array([1.0, -1.0, 1.0, 1.0, -1.0, 1.0])  # of the permutation (pair, other pair)
+_NEAR_END = 0.05  # cos² or sin² of a half angle below which the quotient by it is near 0/0
+_BEYOND = 1e-6  # a root |y| > 2 by more than this is no rounding: rounding splits it by 1e-7
 
 
 def _minors(matrix: Complex) -> Complex:
@@ -137,7 +123,7 @@ def _pair_sum(re: Array, im: Array, c2: Array) -> Array:
         y[single] = mean[single] + np.copysign(big + q1 / big, r1)
     outside = np.abs(y) > 2 + _BEYOND
     if outside.any():
-        # the other two roots, from their product and sum: beside a large y arccos loses them
+        # the other two roots from their product and sum, for arccos loses them beside a large y
         top = y[outside]
         product = (2 * (re2 - im2) - 4 * c2)[outside] / top
         half = (linear[outside] - product) / top / 2
@@ -158,8 +144,8 @@ def pair_halves(re: Array, im: Array, c2: Array) -> tuple[Array, Array, Array]:
     product = 4 * (c2 - y)
     with np.errstate(divide="ignore", invalid="ignore"):
         sum2, difference2 = re * re / cos2, im * im / sin2
-    sum2 = np.where(cos2 < NEAR_END, np.maximum(difference2 + product, 0), sum2)
-    difference2 = np.where(sin2 < NEAR_END, np.maximum(sum2 - product, 0), difference2)
+    sum2 = np.where(cos2 < _NEAR_END, np.maximum(difference2 + product, 0), sum2)
+    difference2 = np.where(sin2 < _NEAR_END, np.maximum(sum2 - product, 0), difference2)
     return y, np.sqrt(sum2), np.sqrt(difference2)
 
 
@@ -201,7 +187,7 @@ def self_inversive_multipliers(coefficients: Array) -> Complex:
 def quartic_multipliers(
     coefficients: Complex, determinant: Array | float = 1.0
 ) -> tuple[Complex, Array, Array, Array]:
-    """Return the four roots of μ⁴ − c₁μ³ + c₂μ² − c₃μ + c₄, Ferrari's way, then two Newton steps.
+    """Return the roots of μ⁴ − c₁μ³ + c₂μ² − c₃μ + c₄ by Ferrari's formula and two Newton steps.
 
     Parameters
     ----------
@@ -214,22 +200,11 @@ def quartic_multipliers(
     -------
     roots : (4, ...) complex
     value, slope, bend : (4, ...) float
-        Moduli of the quartic, of its derivative and of half its second one, before the last step.
+        Moduli of the quartic, of its first derivative and of half its second derivative at the
+        roots before the last step.
     """
     c1, c2, c3 = coefficients
-    linear = c1 * c3 - 4 * determinant
-    mean = c2 / 3
-    q = mean * mean - linear / 3
-    r = mean * (q - linear / 6) + (c1 * c1 * determinant + c3 * c3) / 2 - 2 * c2 * determinant
-    root = np.sqrt(r * r - q * q * q)
-    root = np.where((r.conj() * root).real < 0, -root, root)
-    big = (r + root) ** (1 / 3)
-    big = np.where(big == 0, 1.0, big)
-    turns = np.exp(2j * np.pi / 3 * np.arange(3)).reshape(3, *([1] * np.ndim(c1)))
-    candidates = mean + big * turns + q / (big * turns)
-    # the root farthest from the others is the well conditioned one
-    slope = np.abs(3 * (candidates - mean) ** 2 - 3 * q)
-    y = np.take_along_axis(candidates, slope.argmax(axis=0)[None], 0)[0]
+    y = _resolvent_root(c1, c2, c3, determinant)
     w2, d2 = c1 * c1 / 4 - c2 + y, y * y / 4 - determinant
     product = (c1 * y / 2 - c3) / 2
     use_w = np.abs(w2) >= np.abs(d2)
@@ -248,10 +223,27 @@ def quartic_multipliers(
     return _newton_step(roots, coefficients, determinant)
 
 
+def _resolvent_root(c1: Complex, c2: Complex, c3: Complex, determinant: Array | float) -> Complex:
+    """Return the root of Ferrari's resolvent cubic that lies farthest from the two others."""
+    linear = c1 * c3 - 4 * determinant
+    mean = c2 / 3
+    q = mean * mean - linear / 3
+    r = mean * (q - linear / 6) + (c1 * c1 * determinant + c3 * c3) / 2 - 2 * c2 * determinant
+    root = np.sqrt(r * r - q * q * q)
+    root = np.where((r.conj() * root).real < 0, -root, root)
+    big = (r + root) ** (1 / 3)
+    big = np.where(big == 0, 1.0, big)
+    turns = np.exp(2j * np.pi / 3 * np.arange(3)).reshape(3, *([1] * np.ndim(c1)))
+    candidates = mean + big * turns + q / (big * turns)
+    # the root farthest from the others is the well conditioned one
+    slope = np.abs(3 * (candidates - mean) ** 2 - 3 * q)
+    return np.asarray(np.take_along_axis(candidates, slope.argmax(axis=0)[None], 0)[0])
+
+
 def _newton_step(
     roots: Complex, coefficients: Complex, determinant: Array | float
 ) -> tuple[Complex, Array, Array, Array]:
-    """Take a Newton step, save where roots nearly coincide; return also the moduli it used."""
+    """Return roots after a Newton step and the moduli it used; nearly double roots stay."""
     c1, c2, c3 = coefficients
     value = (((roots - c1) * roots + c2) * roots - c3) * roots + determinant
     slope = ((4 * roots - 3 * c1) * roots + 2 * c2) * roots - c3

@@ -1,5 +1,6 @@
-"""Tongues of instability: their edges, the narrow ones, their outlines and their lowest loads.
+"""Tongues of instability: their centres, edges, outlines and thresholds.
 
-Read `tracking` and `edges`; `collisions`, `narrow`, `intervals` and `outlines` find what a chart
-shows; `crossings` and `lowest_load` find the least pulsation that destabilises.
+Named tongues: `collision_measure`, `tracking`, `pair_edges`, `edges`. What a chart shows:
+`collisions`, `subpixel`, `intervals`, `linking`, `outlines`. The least pulsation that
+destabilises: `plane`, `approaches`, `crossings`, `thresholds`, `band_threshold`.
 """

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from rotorstab import BASE_CASE, finite_element, lumped
-from rotorstab.floquet.integrator import MAP_SCHEME, propagate
+from rotorstab.floquet.integrator import propagate
 from rotorstab.floquet.interpolant.characteristic import reversed_coefficients
+from rotorstab.floquet.interpolant.chart_interpolant import ChartInterpolant
 from rotorstab.floquet.interpolant.growth import self_inversive_growth
-from rotorstab.floquet.interpolant.polynomial import ChartSampler
+from rotorstab.floquet.schemes import MAP_SCHEME
 from rotorstab.model.modal import splitting_basis
 from tests.testing.example_rotors import P, W
 
@@ -52,8 +53,8 @@ def test_reversed_coefficients_are_those_of_the_monodromy():
 @pytest.mark.parametrize("density", [0.6, 1.0])
 def test_coefficient_errors_are_bounds(name, density):
     loads, periods = np.linspace(0, 1, 15) * P, np.linspace(2 * np.pi / 8, 2 * np.pi / 0.4, 40) / W
-    rough = ChartSampler(SYSTEMS[name], 0.4 * P, P, periods, density)
-    fine = ChartSampler(SYSTEMS[name], 0.4 * P, P, periods, 3.0)
+    rough = ChartInterpolant(SYSTEMS[name], 0.4 * P, P, periods, density)
+    fine = ChartInterpolant(SYSTEMS[name], 0.4 * P, P, periods, 3.0)
     values, error = rough.on_grid(loads, periods)
     exact, rest = fine.on_grid(loads, periods)
     good = np.abs(values - exact) <= error + rest
@@ -75,10 +76,10 @@ def test_pixels_skipped_are_those_that_cannot_grow(error):
     coefficients = np.array([c1.real, c1.imag, c2.real])
     error = np.full_like(coefficients, error)
     growth, slack, _ = self_inversive_growth(coefficients, error)
-    full, _, _ = self_inversive_growth(coefficients, error, nearness=True)
+    full, _, _ = self_inversive_growth(coefficients, error, with_approach=True)
     np.testing.assert_allclose(growth, full, atol=1e-6)
     assert (np.abs(growth - split) <= slack + 1e-6).all()
     # and with errors as large as allowed
     moved = coefficients + error * rng.uniform(-1, 1, coefficients.shape)
-    other, _, _ = self_inversive_growth(moved, 0 * error, nearness=True)
+    other, _, _ = self_inversive_growth(moved, 0 * error, with_approach=True)
     assert (other[slack == 0] <= growth[slack == 0] + 1e-6).all()

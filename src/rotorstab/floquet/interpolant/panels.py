@@ -1,34 +1,26 @@
-"""Where to sample the characteristic polynomial of a whole chart, and how to interpolate it.
+"""Where to sample the characteristic polynomial of a whole chart.
 
-Its coefficients are entire functions of the period T and of p̄_t² (a change of sign of p̄_t
-only shifts time by half a period), so a few Chebyshev nodes carry a chart of any size. Long
-periods are few on an axis even in θ̄ but cost most; they are sampled column by column.
+Its coefficients are entire functions of the period T and of p̄_t² (a change of sign of p̄_t only
+shifts time by half a period), so a few Chebyshev nodes carry a chart of any size. On an axis even
+in θ̄ the long periods are few, but they cost most; they are sampled column by column.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from math import lgamma, log
 
 import numpy as np
-from numpy.typing import NDArray
 
-__all__ = [
-    "Panel",
-    "chebyshev_nodes",
-    "chebyshev_transform",
-    "chebyshev_values",
-    "load_nodes",
-    "plan_panels",
-]
+from ..._types import Array
 
-Array = NDArray[np.float64]
+__all__ = ["Panel", "load_nodes", "plan_panels"]
 
-_CALL_OVERHEAD = 80  # nodes whose work equals NumPy's overhead of a call
-_MARGIN = 6.5  # nodes past the turning point of a Bessel function, for 1e-8
+_CALL_OVERHEAD = 80  # nodes whose work takes as long as the overhead of NumPy's calls
+_MARGIN = 6.5  # nodes past the turning point of a Bessel function, in its cube root: for 1e-8
 _FALL = 4.3  # √ln 1e8
 _CUTS_PER_OCTAVE = 1
+_MOST_LOAD_NODES = 60
 
 
 @dataclass(frozen=True)
@@ -38,15 +30,15 @@ class Panel:
     Parameters
     ----------
     columns : slice
-        Of the chart's columns sorted by period.
+        Columns of the chart, in rising order of their period, that lie in the panel.
     low, high : float
-        Range of T; `high` is the next panel's first column.
+        Range of T; `high` is the first column of the next panel.
     period_nodes : int
-        Chebyshev nodes in T, or 0 to sample each column itself.
+        Number of Chebyshev nodes in T; 0 where each column is sampled itself.
     load_nodes : int
-        Chebyshev nodes in the load.
+        Number of Chebyshev nodes in the load.
     steps : int
-        Common factor of the step counts of the levels.
+        Common factor of the step counts of the extrapolation.
     """
 
     columns: slice
@@ -58,52 +50,20 @@ class Panel:
 
     @property
     def work(self) -> float:
-        """Nodes times steps, NumPy's overhead included: what sampling it takes."""
+        """Work of sampling the panel: nodes times steps, with NumPy's overhead."""
         sampled = self.period_nodes or self.columns.stop - self.columns.start
         return (sampled * self.load_nodes + _CALL_OVERHEAD) * self.steps
 
 
-@cache
-def chebyshev_transform(count: int) -> Array:
-    """Return the matrix from values at `count` Chebyshev nodes (cos) to coefficients."""
-    angle = (np.arange(count) + 0.5) * np.pi / count
-    matrix = np.cos(np.outer(np.arange(count), angle)) * (2 / count)
-    matrix[0] /= 2
-    matrix.flags.writeable = False
-    return np.asarray(matrix)
-
-
-def chebyshev_nodes(count: int, low: float, high: float) -> Array:
-    """Return the Chebyshev–Gauss nodes of [low, high], falling."""
-    angle = (np.arange(count) + 0.5) * np.pi / count
-    return np.asarray((low + high) / 2 + (high - low) / 2 * np.cos(angle))
-
-
-def chebyshev_values(points: Array, low: float, high: float, count: int) -> Array:
-    """Return T_0 … T_{count−1} at points of [low, high], (..., count)."""
-    width = high - low
-    x = (2 * points - low - high) / width if width > 0 else np.zeros_like(points)
-    x = np.clip(x, -1, 1)
-    values = np.empty((count, *x.shape))
-    values[0] = 1
-    values[1:2] = x
-    twice = 2 * x
-    # the recurrence is stable here, and cheaper than cosines
-    for k in range(2, count):
-        np.multiply(twice, values[k - 1], out=values[k])
-        values[k] -= values[k - 2]
-    return np.moveaxis(values, 0, -1)
-
-
 def load_nodes(phase: float, tolerance: float, even: bool) -> int:
-    """Return how many Chebyshev nodes in the load resolve a swing of `phase` radians.
+    """Return how many Chebyshev nodes in the load resolve a change of phase by `phase` radians.
 
     The coefficients fall like those of cos: (phase/4)^{2k}/(2k)! in p̄_t² if the function is
     even, (phase/8)^k/k! in p̄_t if not.
     """
     argument, stride = (phase / 4, 2) if even else (phase / 8, 1)
     count = 2
-    while count < 60:
+    while count < _MOST_LOAD_NODES:
         order = stride * count
         if order * log(max(argument, 1e-9)) - lgamma(order + 1) < log(tolerance):
             break
@@ -133,25 +93,25 @@ def plan_panels(
     even: bool,
     resolve: float = 0.0,
 ) -> tuple[Panel, ...]:
-    """Return the cheapest cut of the sorted periods into panels, at octaves of T.
+    """Return the cheapest division of the sorted periods into panels, at octaves of T.
 
     Parameters
     ----------
     periods : (C,) float
-        Rising.
+        Periods of the columns in rising order.
     bandwidth : float
         Largest frequency of the functions to interpolate, as functions of T.
     decay : float
-        Their fastest decay, above that of the slowest.
+        Their fastest decay rate less the slowest.
     swing : float
         Phase per unit period that the largest load adds.
     rate : float
-        Steps per unit period, as multiples of the extrapolation's levels.
+        Steps per unit period, as a multiple of the step counts of the extrapolation.
     density : float
-        1 for the tuned numbers of nodes, less for a coarse, faster chart. Below 1 they fall with
-        its square root only: the error of the interpolation rises exponentially.
+        1 for the tuned numbers of nodes, less for a coarse, faster chart. Below 1 the numbers of
+        nodes fall only with its square root, for the interpolation error rises exponentially.
     tolerance : float
-        Wanted interpolation error.
+        Interpolation error aimed at.
     even : bool
         Whether the functions are even in the load.
     resolve : float
@@ -160,7 +120,7 @@ def plan_panels(
     Returns
     -------
     tuple of Panel
-        Rising in T.
+        In rising order of T.
     """
     octave = np.floor(np.log2(periods[-1] / periods) * _CUTS_PER_OCTAVE)
     cuts = [0, *(np.flatnonzero(np.diff(octave)) + 1).tolist(), len(periods)]
@@ -172,7 +132,7 @@ def plan_panels(
     }
 
     def panel(start: int, stop: int) -> tuple[float, Panel]:
-        # up to the next panel's first column, to leave no gap between panels
+        # up to the first column of the next panel, so that no gap is left between panels
         low, high, loads = ends[start], ends[stop], across[stop]
         nodes = int(np.ceil(density * _period_nodes(bandwidth, decay, high - low)))
         columns = stop - start
@@ -182,7 +142,7 @@ def plan_panels(
         made = Panel(slice(start, stop), low, high, nodes, loads, steps)
         return made.work, made
 
-    # dynamic programming over the cuts
+    # dynamic programming: the cheapest panels up to each cut
     best: list[tuple[float, tuple[Panel, ...]]] = [(0.0, ())]
     for j in range(1, len(cuts)):
         options = []

@@ -1,0 +1,226 @@
+"""The multipliers of one rotor over a whole range of pulsating loads and periods."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..._numerics.chebyshev import chebyshev_values
+from ..._tolerances import NEGLIGIBLE
+from ..._types import AnyArray, Array
+from ...model.system import System
+from .growth import largest_modulus, self_inversive_growth
+from .matrix_growth import matrix_growth, reversed_growth
+from .panels import Panel, plan_panels
+from .sampling import ERROR_POWER, MAP_LEVELS, NodeSampler, PanelSamples
+
+__all__ = ["ChartInterpolant", "chart_panels"]
+
+# steps of the first level per radian of the fastest mode: with a closed form an error of 1e-7 or so
+# in the coefficients, with matrices of 1e-6 in the growth
+_STEPS_PER_RADIAN, _STEPS_PER_RADIAN_OF_MATRICES = 1.7, 1.2
+_TOLERANCE = 1e-6  # of the interpolation, in a cautious rule: the error is 1e-9 or so
+_BANDWIDTH_MARGIN = 1.03
+_SWING_MARGIN = {True: 1.15, False: 1.3}  # of a linear and of the exact stiffness
+_DRIFT_MARGIN = 0.75  # part of its centre to which a tongue of the table may drift with the load
+
+
+def chart_panels(
+    sampler: NodeSampler,
+    periods: Array,
+    density: float = 1.0,
+    between: bool = False,
+    resolve: float = 0.0,
+) -> tuple[Panel, ...]:
+    """Return the panels in which a chart is sampled; see `ChartInterpolant`."""
+    system, basis = sampler.system, sampler.basis
+    frequencies = basis.frequencies
+    drive = float(np.linalg.norm(sampler.load_slope, 2)) * (
+        sampler.largest_load + abs(sampler.static_load - float(basis.load))
+    )
+    fastest = float(np.sqrt(np.abs(frequencies).max() ** 2 + drive))
+    steps = _STEPS_PER_RADIAN if sampler.closed_form else _STEPS_PER_RADIAN_OF_MATRICES
+    strength = float(np.sqrt(np.abs(sampler.coupling * sampler.coupling.T).max()))
+    if between and sampler.closed_form:
+        resolve = max(resolve, _longest_tongue(sampler))
+    return plan_panels(
+        periods,
+        bandwidth=_BANDWIDTH_MARGIN * _bandwidth(sampler),
+        decay=float(np.ptp(frequencies.imag)),
+        swing=_SWING_MARGIN[system.is_linear] * strength * sampler.largest_load,
+        rate=density * sampler.share * fastest * steps / MAP_LEVELS[0],
+        density=density,
+        tolerance=_TOLERANCE,
+        even=sampler.closed_form,
+        resolve=resolve,
+    )
+
+
+def _bandwidth(sampler: NodeSampler) -> float:
+    """Return the largest frequency of the interpolated functions of T."""
+    frequencies = sampler.basis.frequencies
+    if not sampler.closed_form:
+        return float(sampler.share * np.abs(frequencies).max())
+    # c₁ turns with single frequencies, c₂ with sums of two, the mean one taken out
+    centred = (frequencies - frequencies.mean()).real
+    sums = centred[:, None] + centred
+    return float(max(np.abs(centred).max(), np.abs(sums[~np.eye(4, dtype=bool)]).max()))
+
+
+def _longest_tongue(sampler: NodeSampler) -> float:
+    """Return the period up to which the resonance table has tongues, with room to drift."""
+    frequencies, coupling = sampler.basis.frequencies, sampler.coupling
+    gap = np.abs(np.subtract.outer(frequencies, frequencies).real)
+    strength = -(coupling * coupling.T).real
+    centres = gap[(strength > NEGLIGIBLE * np.abs(strength).max()) & (gap > 0)]
+    return float(2 * np.pi / (_DRIFT_MARGIN * centres.min())) if centres.size else 0.0
+
+
+class ChartInterpolant:
+    """Interpolated multipliers of one system over a range of loads and periods.
+
+    It holds the Chebyshev coefficients of each panel. Evaluating them takes two small matrix
+    products, whatever the resolution of the chart.
+
+    Parameters
+    ----------
+    system : System
+        At one spin speed.
+    static_load : float
+        p̄₀ [EI/L²].
+    largest_load : float
+        Largest |p̄_t| [EI/L²].
+    periods : (C,) float
+        T of the columns, in rising order.
+    density : float
+        1, or less for fewer nodes and steps: faster and less accurate, with error bounds that say
+        so.
+    between : bool
+        Whether points between columns will be evaluated, up to the longest period at which the
+        resonance table has a tongue.
+    resolve : float
+        Period up to which points between columns will be evaluated in any case.
+    """
+
+    def __init__(
+        self,
+        system: System,
+        static_load: float,
+        largest_load: float,
+        periods: Array,
+        density: float = 1.0,
+        between: bool = False,
+        resolve: float = 0.0,
+    ) -> None:
+        self.sampler = sampler = NodeSampler(system, static_load, largest_load)
+        self.panels = chart_panels(sampler, periods, density, between, resolve)
+        self._samples: list[PanelSamples] = [
+            sampler.sample(panel, periods) for panel in self.panels
+        ]
+
+    @property
+    def system(self) -> System:
+        """The system."""
+        return self.sampler.system
+
+    @property
+    def static_load(self) -> float:
+        """The static load p̄₀ [EI/L²]."""
+        return self.sampler.static_load
+
+    @property
+    def closed_form(self) -> bool:
+        """Whether multipliers are found in closed form: with two coordinates."""
+        return self.sampler.closed_form
+
+    def _load_values(self, loads: Array, count: int) -> Array:
+        """Return the Chebyshev polynomials (..., count) of the load variable."""
+        variable = self.sampler.load_variable(loads)
+        return chebyshev_values(variable, 0.0, self.sampler.largest_variable, count)
+
+    def evaluate(self, panel: int, loads: Array, periods: Array) -> AnyArray:
+        """Return the functions (k, R, C) on a grid of loads and, inside one panel, periods.
+
+        A panel without nodes in T can be evaluated only at its own columns.
+        """
+        plan, along = self.panels[panel], self._samples[panel].coefficients
+        across = self._load_values(loads, plan.load_nodes)
+        if plan.period_nodes:
+            along = chebyshev_values(periods, plan.low, plan.high, plan.period_nodes) @ along
+        return np.asarray(across @ np.swapaxes(along, 1, 2))
+
+    def scattered(self, panel: int, loads: Array, periods: Array) -> AnyArray:
+        """Return the functions (k, P) at P single points inside one panel that has nodes in T."""
+        plan, coefficients = self.panels[panel], self._samples[panel].coefficients
+        across = self._load_values(loads, plan.load_nodes)
+        along = chebyshev_values(periods, plan.low, plan.high, plan.period_nodes)
+        return np.asarray(((along @ coefficients) * across).sum(axis=-1))
+
+    def coefficient_error(self, panel: int, loads: Array, periods: Array) -> Array:
+        """Return bounds on the errors (k, ...) of the functions at loads and periods (...)."""
+        plan, samples = self.panels[panel], self._samples[panel]
+        nodes = self.sampler.variable_nodes(plan.load_nodes)
+        # at rising loads, a bound that never falls
+        bounds = np.maximum.accumulate(samples.step_error[:, ::-1], axis=1)
+        variable = self.sampler.load_variable(loads)
+        rows = np.array([np.interp(variable, nodes[::-1], bound) for bound in bounds])
+        error = samples.interpolation_error.reshape(-1, *[1] * (rows.ndim - 1))
+        return np.asarray(error + rows * (periods / plan.high) ** ERROR_POWER)
+
+    def on_grid(self, loads: Array, periods: Array) -> tuple[AnyArray, Array]:
+        """Return the functions (k, R, C) and their errors at rising loads and all columns."""
+        parts = [
+            self.evaluate(index, loads, periods[panel.columns])
+            for index, panel in enumerate(self.panels)
+        ]
+        errors = [
+            self.coefficient_error(index, loads[:, None], periods[panel.columns])
+            for index, panel in enumerate(self.panels)
+        ]
+        return np.concatenate(parts, axis=-1), np.concatenate(errors, axis=-1)
+
+    def growth(
+        self, functions: AnyArray, error: Array, periods: Array, with_approach: bool = False
+    ) -> tuple[Array, Array, Array]:
+        """Return growth rates, bounds on their errors and the approach to a collision.
+
+        Parameters
+        ----------
+        functions : (k, ...)
+            From `on_grid`, `evaluate` or `scattered`.
+        error : (k, ...) float
+            From `on_grid` or `coefficient_error`.
+        periods : (...) float
+            Broadcast to the shape of the functions.
+        with_approach : bool
+            Whether to compute `approach`.
+
+        Returns
+        -------
+        growth, error, approach : (...) float
+            `approach` as in `self_inversive_growth`, NaN without a closed form.
+        """
+        damped = self.system.is_damped
+        if self.closed_form and not damped:
+            growth, slack, approach = self_inversive_growth(functions, error, with_approach)
+        elif self.closed_form:
+            last = np.exp(-self.sampler.excess * periods)
+            growth, slack, approach = largest_modulus(functions, last, error, with_approach)
+            growth = growth - self.sampler.drift.imag * periods
+        else:
+            size = 2 * self.system.size
+            shape = (*functions.shape[1:], size, size)
+            solver = matrix_growth if damped else reversed_growth
+            growth, slack = solver(
+                np.moveaxis(functions, 0, -1).reshape(shape),
+                np.moveaxis(error, 0, -1).reshape(shape),
+            )
+            approach = np.broadcast_to(np.nan, growth.shape)
+        return growth / periods, slack / periods, approach
+
+    def at_points(
+        self, panel: int, loads: Array, periods: Array, with_approach: bool = False
+    ) -> tuple[Array, Array, Array]:
+        """Return what `growth` does, at single points (P,) inside one panel that has nodes in T."""
+        functions = self.scattered(panel, loads, periods)
+        error = self.coefficient_error(panel, loads, periods)
+        return self.growth(functions, error, periods, with_approach)
