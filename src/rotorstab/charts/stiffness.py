@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._numerics.roots import bracketed_roots
+from .._types import Array, Index
 from ..model.stiffness import exact_stiffness, largest_exact_load, linear_stiffness
 from ..whirl.critical_loads import critical_load
 from .columns import Lines, label_columns
@@ -13,7 +14,6 @@ from .structure import Chart, Layer
 
 __all__ = ["error_loads", "stiffness_charts"]
 
-Array = NDArray[np.float64]
 ENTRIES = (
     (0, 0, "k̄₁₁", "EI/L³"),
     (0, 1, "k̄₁₂", "EI/L²"),
@@ -25,6 +25,7 @@ ENTRIES = (
 LEVELS = (0.01, 0.05)
 _LARGEST_ERROR = 0.5  # most that the error chart shows
 _HEADROOM = 0.985  # how near to the pole the charts go
+_LOAD_TOLERANCE = 1e-12  # relative, of the loads at which an error reaches a level
 
 
 def _both(loads: Array, shear: float, tangency: float) -> tuple[Array, Array]:
@@ -69,19 +70,17 @@ def error_loads(shear: float, tangency: float, level: float) -> Array:
     (2, 2, 2)
     """
     pole = float(largest_exact_load(shear))
-    ends = (-5 * float(critical_load(shear)), pole * _HEADROOM)
-    result = np.empty((2, 2, 2))
-    for side, end in enumerate(ends):
-        low, high = np.zeros((2, 2)), np.full((2, 2), end)
-        # errors grow away from 0: bisection for the four coefficients at once
-        reached = _errors(np.array([end]), shear, tangency)[0] >= level
-        for _ in range(40):
-            middle = (low + high) / 2
-            over = _errors(middle.ravel(), shear, tangency).reshape(2, 2, 2, 2)
-            here = np.einsum("ijij->ij", over) >= level
-            low, high = np.where(here, low, middle), np.where(here, middle, high)
-        result[..., side] = np.where(reached, high, np.copysign(np.inf, end))
-    return result
+    result = np.empty((4, 2))
+
+    def below(load: Array, entry: Index) -> Array:
+        error = _errors(load, shear, tangency).reshape(-1, 4)
+        return np.asarray(level - error[np.arange(len(load)), entry])
+
+    for side, end in enumerate((-5 * float(critical_load(shear)), pole * _HEADROOM)):
+        # an error grows with the load's distance from 0
+        root = bracketed_roots(below, np.zeros(4), np.full(4, end), _LOAD_TOLERANCE)
+        result[:, side] = np.where(np.isfinite(root), root, np.copysign(np.inf, end))
+    return result.reshape(2, 2, 2)
 
 
 def stiffness_charts(
