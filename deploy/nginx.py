@@ -7,6 +7,7 @@ import shutil
 from collections.abc import Sequence
 from ipaddress import ip_address
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -44,6 +45,40 @@ def in_server_name(host: str) -> str:
     return f"[{host}]" if ":" in host else host
 
 
+def variables(settings: Settings, workers: Sequence[str]) -> dict[str, Any]:
+    """Return the variables of the template that depend on the settings and the workers."""
+    origins = {in_server_name(host_name(origin)): origin for origin in settings.origins}
+    places = settings.max_sessions * max(len(workers), 1)
+    connections = max(
+        FEWEST_CONNECTIONS, CONNECTIONS_OF_A_PAGE * settings.max_sessions * len(workers)
+    )
+    return {
+        "address": f"[{settings.address}]" if ":" in settings.address else settings.address,
+        "port": settings.port,
+        # "::" listens for IPv4 as well
+        "family": " ipv6only=off" if settings.address == "::" else "",
+        "http_port": settings.http_port,
+        "origins": origins,
+        # no other site can own a loopback name, and a technician uses one
+        "names": list(dict.fromkeys([*origins, *map(in_server_name, LOOPBACK)])),
+        # a browser sends no host name in the TLS handshake where the address is a number
+        "by_number": any(map(is_ip_address, map(host_name, settings.origins))),
+        # nobody listens on port 9, so the page says that the server restarts
+        "workers": list(workers) or ["127.0.0.1:9"],
+        "places": places,
+        "connections": min(connections, MOST_CONNECTIONS),
+        "tls": bool(settings.tls_certificate),
+        "certificate": settings.tls_certificate,
+        "key": settings.tls_key,
+        "keep_alive": settings.keep_alive,
+        "log_level": settings.log_level,
+        "hsts": settings.hsts,
+        "prefix": settings.prefix,
+        "secure": bool(settings.tls_certificate) or settings.outside_tls == "yes",
+        "page_files": re.escape(settings.prefix) + PAGE_FILES,
+    }
+
+
 def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
     """Return the configuration of nginx.
 
@@ -63,40 +98,14 @@ def render(settings: Settings, workers: Sequence[str], folder: Path) -> str:
         undefined=StrictUndefined,
         keep_trailing_newline=True,
     )
-    address = f"[{settings.address}]" if ":" in settings.address else settings.address
-    # "::" listens for IPv4 as well
-    family = " ipv6only=off" if settings.address == "::" else ""
-    origins = {in_server_name(host_name(origin)): origin for origin in settings.origins}
-    places = settings.max_sessions * len(workers)
     return environment.get_template(TEMPLATE).render(
         folder=folder,
-        address=address,
-        port=settings.port,
-        family=family,
-        http_port=settings.http_port,
-        origins=origins,
-        # no other site can own a loopback name, and a technician uses one
-        names=list(dict.fromkeys([*origins, *map(in_server_name, LOOPBACK)])),
-        # a browser sends no host name in the TLS handshake where the address is a number
-        by_number=any(map(is_ip_address, map(host_name, settings.origins))),
-        # nobody listens on that port, so the page says that the server restarts
-        workers=list(workers) or ["127.0.0.1:9"],
-        places=max(places, settings.max_sessions),
-        connections=min(max(FEWEST_CONNECTIONS, CONNECTIONS_OF_A_PAGE * places), MOST_CONNECTIONS),
-        tls=bool(settings.tls_certificate),
-        certificate=settings.tls_certificate,
-        key=settings.tls_key,
-        keep_alive=settings.keep_alive,
-        log_level=settings.log_level,
         pages={name: retry_seconds(*page) for name, page in PAGES.items()},
         headers=HEADERS,
-        hsts=settings.hsts,
-        prefix=settings.prefix,
-        secure=bool(settings.tls_certificate) or settings.outside_tls == "yes",
-        page_files=re.escape(settings.prefix) + PAGE_FILES,
         generation=secrets.token_hex(4),
         longest_address=LONGEST_ADDRESS,
         header_buffer=HEADER_BUFFER,
+        **variables(settings, workers),
     )
 
 

@@ -54,30 +54,34 @@ class Settings:
         "ROTORSTAB_ORIGINS",
         "",
         ORIGINS,
-        "what browsers have in their address line; others get no connection. Without it:"
-        " localhost, 127.0.0.1 and [::1] with PORT",
+        "what the address line of the browsers shows; other host names get no connection. Without"
+        " it: localhost, 127.0.0.1 and [::1] with PORT",
     )
     prefix: str = setting(
         "ROTORSTAB_PREFIX",
         "",
         PREFIX,
-        "path below which everything is served, where a proxy of yours shares its name with other"
-        " services; the proxy passes paths on as they are",
+        "path below which everything is served, for a proxy of yours that has other services too;"
+        " the proxy passes paths on unchanged",
     )
     outside_tls: str = setting(
         "ROTORSTAB_OUTSIDE_TLS",
         "no",
         choice("no", "yes"),
-        "whether a proxy of yours ends TLS in front of this server: cookies are for https:// only",
+        "whether a proxy of yours ends TLS in front of this server; cookies are then for https://"
+        " only",
     )
     workers: int = setting(
-        "ROTORSTAB_WORKERS", "1", integer(1, 64), "identical workers; they share one secret"
+        "ROTORSTAB_WORKERS",
+        "1",
+        integer(1, 64),
+        "number of identical workers, which share one secret",
     )
     worker_port: int = setting(
         "ROTORSTAB_WORKER_PORT",
         "5101",
         integer(1024, 65000),
-        "first worker's port on loopback, behind nginx; the others follow",
+        "port of the first worker on loopback, behind nginx; the other workers have the next ports",
     )
     secret: str = setting(
         "BOKEH_SECRET_KEY",
@@ -89,50 +93,59 @@ class Settings:
         "ROTORSTAB_SECRET_FILE",
         "~/.local/state/rotorstab/secret",
         PATH,
-        "holds the secret where BOKEH_SECRET_KEY is not set; a single worker makes it",
+        "file with the secret where BOKEH_SECRET_KEY is not set; a single worker makes it",
     )
     max_sessions: int = setting(
         "ROTORSTAB_MAX_SESSIONS",
         "60",
         integer(1, 10000),
-        "connected pages of one worker at a time; the next is told to wait (503)",
+        "largest number of connected pages of one worker; the next page is answered 503 and waits",
     )
     token_lifetime: int = setting(
-        "ROTORSTAB_TOKEN_LIFETIME", "3600", integer(60, 604800), "s a page may take to connect"
+        "ROTORSTAB_TOKEN_LIFETIME",
+        "3600",
+        integer(60, 604800),
+        "time in which a page must connect [s]",
     )
     unused_lifetime: int = setting(
         "ROTORSTAB_UNUSED_LIFETIME",
         "60",
         integer(5, 86400),
-        "s that a session is kept after its page has gone",
+        "time for which a session is kept after its page has gone [s]",
     )
     keep_alive: int = setting(
-        "ROTORSTAB_KEEP_ALIVE", "20", integer(1, 110), "s between pings on a socket"
+        "ROTORSTAB_KEEP_ALIVE", "20", integer(1, 110), "time between two pings on a socket [s]"
     )
-    lessons: str = setting("ROTORSTAB_LESSONS", "", FOLDER, "the teacher's own lessons")
+    lessons: str = setting("ROTORSTAB_LESSONS", "", FOLDER, "folder of the teacher's own lessons")
     log_level: str = setting(
-        "ROTORSTAB_LOG_LEVEL", "info", choice("debug", "info", "warning", "error"), "what is logged"
+        "ROTORSTAB_LOG_LEVEL",
+        "info",
+        choice("debug", "info", "warning", "error"),
+        "least serious messages that are logged",
     )
     log_format: str = setting(
         "ROTORSTAB_LOG_FORMAT",
         "auto",
         choice("auto", "json", "text"),
-        "a JSON object a line or plain text; auto is text on a terminal",
+        "one JSON object a line, or plain text; auto is plain text on a terminal, otherwise JSON",
     )
     drain: int = setting(
-        "ROTORSTAB_DRAIN", "8", integer(1, 60), "s that running exports have left after SIGTERM"
+        "ROTORSTAB_DRAIN",
+        "8",
+        integer(1, 60),
+        "time that running exports have left after SIGTERM [s]",
     )
     hang: int = setting(
         "ROTORSTAB_HANG",
         "60",
         integer(5, 3600),
-        "s without a sign of life after which a worker ends itself, to be started again",
+        "time without a sign of life after which a worker ends itself, to be started again [s]",
     )
     metrics: str = setting(
         "ROTORSTAB_METRICS",
         "loopback",
         choice("off", "loopback", "on"),
-        "who may read a worker's /metrics: nobody, this machine, all that reach its port",
+        "who may read /metrics of a worker: nobody, this machine, everybody who reaches its port",
     )
     tls_certificate: str = setting(
         "ROTORSTAB_TLS_CERTIFICATE", "", FILE, "nginx: certificate chain (PEM); turns TLS on"
@@ -142,15 +155,14 @@ class Settings:
         "ROTORSTAB_HTTP_PORT",
         "0",
         integer(0, 65535),
-        "nginx with TLS: a second port, mostly 80, whose http:// addresses are sent on to https://;"
-        " 0 for none",
+        "nginx with TLS: a second port, mostly 80, which redirects http:// to https://; 0 for none",
     )
     hsts: int = setting(
         "ROTORSTAB_HSTS",
         "0",
         integer(0, 63_072_000),
-        "nginx with TLS: s for which browsers that came once use nothing but TLS for this name"
-        " (HSTS); 0 sends nothing",
+        "nginx with TLS: time for which browsers that came once use this name with TLS only (HSTS)"
+        " [s]; 0 sends nothing",
     )
     upstream: tuple[str, ...] = setting(
         "ROTORSTAB_UPSTREAM",
