@@ -14,7 +14,7 @@ COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-h
 PYTEST := $(PY) -m pytest --numprocesses auto --dist worksteal
 FIND_BROWSER := CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM
 
-.PHONY: help serve lab test long lint unit newest bench screenshots lock audit clean
+.PHONY: help serve lab test long lint unit coverage newest bench screenshots lock audit clean
 .DEFAULT_GOAL := help
 
 help: ## this list
@@ -43,6 +43,9 @@ lint: $(VENV)/dev.stamp ## style, types, import borders, Dockerfile, compose fil
 
 unit: $(VENV)/dev.stamp ## the tests of `make test` that need no browser
 	$(PYTEST) -m "not browser and not long"
+
+coverage: $(VENV)/dev.stamp ## lines and branches of the library that `make unit` reaches
+	$(PYTEST) -m "not browser and not long" --cov --cov-report term --cov-report html:build/coverage
 
 newest: ## a few browser tests on the newest Panel and Bokeh, in an environment of their own
 	@.ci/newest
