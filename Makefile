@@ -11,7 +11,7 @@ COMPILE := uv pip compile --quiet --universal --python-version 3.11 --generate-h
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
 # A worker of pytest that has no test left takes over tests of the other one.
-PYTEST := $(PY) -m pytest --numprocesses auto --dist worksteal
+PYTEST := OMP_NUM_THREADS=1 $(PY) -m pytest --numprocesses auto --dist worksteal
 FIND_BROWSER := CHROMIUM="$$($(PY) -m tests.testing.browser)" && export CHROMIUM
 
 .PHONY: help serve lab test long lint unit coverage newest bench screenshots lock audit clean
