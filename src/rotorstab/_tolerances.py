@@ -1,7 +1,8 @@
 """Every threshold that decides what an answer means: what is zero, real, equal or growing.
 
 Thresholds that only steer an algorithm (step sizes, meshes, numbers of iterations) stand in the
-module of that algorithm. Each threshold is relative to the quantity that its text names.
+module of that algorithm. The text of a threshold says what it is a part of; growth rates are
+non-dimensional [√(EI/(ρAL⁴))].
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from .._numerics.chebyshev import chebyshev_angles, coefficient_weights
 from .._types import Array
 from .stiffness import exact_stiffness, largest_exact_load, second_exact_pole
 
@@ -43,9 +44,8 @@ def exact_harmonics(
     # the aliasing error falls as ρ^(count − 2 points)
     rate = harmonic_rate(static, pulsating, shear)
     points = math.ceil((count + DIGITS / rate) / 2) + 1
-    phase = (np.arange(points) + 0.5) * np.pi / points
-    weights = np.cos(np.outer(np.arange(count + 1), phase)) * 2 / points
-    weights[0] /= 2
+    phase = chebyshev_angles(points)
+    weights = coefficient_weights(count + 1, points)
     mean, swing = static.ravel(), pulsating.ravel()
     harmonics = np.empty((count + 1, mean.size, 4))
     batch = max(1, _SAMPLES_TOGETHER // points)
