@@ -1,33 +1,33 @@
-// The connection: whether the server answers, what the page says where it does not, and how the
-// page comes back. It stands before every other script, so that it also sees files that do not load.
+// The connection: whether the server answers, the message that the page shows if it does not, and how the
+// page reconnects. This script runs before every other one, so that it also notices files that do not load.
 window.rotorstab = (() => {
   const page = {};
   const root = document.documentElement;
   const Socket = window.WebSocket;
   const STORE = "rotorstab-returns"; // how often this tab came back without an answer
-  // ms
-  const SLOW = 12000; // a page that opens takes its next step within this
-  const PART = 3000; // the same where a file did not load
-  const ANSWER = 6000; // an open page is answered within this
-  const DEAF = 15000; // after this without an answer, a page whose server answers others gives its socket up
-  const STUCK = 45000; // the same for a page that opens: a busy server takes long to build one
-  const REPLY = 10000; // one attempt at anything
+  // Times in ms
+  const SLOW = 12000; // longest time between two steps of a page that opens
+  const PART = 3000; // the same if a file did not load
+  const ANSWER = 6000; // longest time until the server answers an open page
+  const DEAF = 15000; // time without an answer after which a page replaces its socket, if the server answers other requests
+  const STUCK = 45000; // the same for a page that opens: a busy server needs long to build it
+  const REPLY = 10000; // longest time of one attempt
   const OLD = 240000; // a page of this age may have a token that has expired
-  const FIRST = 800, LONGEST = 15000, LONGEST_PAUSE = 60000; // between attempts
+  const FIRST = 800, LONGEST = 15000, LONGEST_PAUSE = 60000; // pauses between attempts
 
-  let socket = null; // Bokeh's: where it leads, and what became of it
+  let socket = null; // Bokeh's socket: its address and its state
   let missing = ""; // address of a file that did not load
   let greeted = false; // the server has answered the page
   let reached = true; // the server answered the last attempt
-  let shown = ""; // the trouble that is shown
+  let shown = ""; // kind of trouble that is shown
   let mending = false;
   const began = Date.now();
-  let step = began; // of the page's last step forward
+  let step = began; // time of the last step of opening the page
   let looked = began;
 
   const forward = () => { step = Date.now(); };
 
-  // -- what there is to see: files and the socket ------------------------------
+  // -- observing: files and the socket ------------------------------
   document.addEventListener("error", ({ target }) => { if (target.tagName === "SCRIPT" && target.src) missing = missing || target.src; }, true);
   document.addEventListener("load", forward, true);
 
@@ -40,7 +40,7 @@ window.rotorstab = (() => {
       forward();
       this.addEventListener("open", () => { own.opened = true; forward(); });
       this.addEventListener("message", () => { own.heard = true; forward(); });
-      // a page that is left closes its socket too, and is gone by then
+      // a page that the user leaves closes its socket too, but does not exist any more after this delay
       this.addEventListener("close", () => { own.closed = true; setTimeout(look, 300); });
     }
   };
@@ -54,7 +54,7 @@ window.rotorstab = (() => {
     return !socket ? "loading" : socket.opened ? "mute" : "hangs";
   }
 
-  // -- what is said --------------------------------------------------------------
+  // -- messages to the user --------------------------------------------------------------
   const RETURNS = "This page returns by itself, with your settings, as soon as the server answers.";
   const TRIES = "This page tries again by itself and draws as soon as it gets through. If this lasts, try another network, or tell whoever runs the server.";
   const WAY = "a proxy, a VPN or a security program on the way";
@@ -70,7 +70,7 @@ window.rotorstab = (() => {
     mute: `The live connection to the server (a WebSocket) is open, but no data arrives: the server is busy, or ${WAY} blocks the data. ${TRIES}`,
   };
 
-  // before the page has its own place for it, where a file holds up the rest
+  // the message also needs a place when a slow file delays the rest of the page
   function place() {
     const early = document.querySelector(".lost-early");
     const own = document.querySelector(".lost:not(.lost-early)");
@@ -99,19 +99,19 @@ window.rotorstab = (() => {
 
   function look() {
     const now = Date.now();
-    if (now - looked > 5000) { // the device slept: nothing could come meanwhile
+    if (now - looked > 5000) { // the device slept and could not receive anything
       forward();
       if (page.messages) page.messages.renew();
     }
     looked = now;
     if (page.left) return;
     const found = trouble();
-    if (found && !shown && page.address) page.address(); // of the last answer: what follows is kept
+    if (found && !shown && page.address) page.address(); // the address keeps the state of the last answer, `keep` what came after it
     if (found || shown) show(found);
     if (found && !mending) mend();
   }
 
-  // -- how it comes back: once a new attempt succeeds at what fails or hangs, the page opens anew -----
+  // -- reconnecting: the page reloads when a new attempt succeeds at what failed -----
   function returns(count) {
     try {
       if (count !== undefined) sessionStorage.setItem(STORE, count);
@@ -121,7 +121,7 @@ window.rotorstab = (() => {
 
   async function replies() {
     try {
-      // cheap for the server: it builds no page for HEAD
+      // HEAD costs the server little, because it builds no page for it
       const answer = await fetch(location.pathname, { method: "HEAD", cache: "no-store", redirect: "manual", signal: AbortSignal.timeout(REPLY) });
       return answer.type === "opaqueredirect" || (answer.status < 500 && answer.status !== 429);
     } catch { return false; }
@@ -150,7 +150,7 @@ window.rotorstab = (() => {
     });
   }
 
-  // a request may be put on an old connection that is as dead as the socket: a new socket is not
+  // the browser may send a request on an old connection that is broken too; a new socket has a new connection
   async function reaches(found) {
     const ways = found === "silent" ? [replies(), connects()] : [replies()];
     try {
@@ -164,7 +164,7 @@ window.rotorstab = (() => {
     switch (found) {
       case "file": return loads(missing);
       case "loading": return document.readyState !== "loading" || loads([...document.scripts].pop().src);
-      // a new page has a new token: one that the server did not take is mended by that
+      // a new page has a new token, which helps if the server refused the old one
       case "refused": return returns() === 0 || old || connects();
       case "hangs": return old || connects();
       case "mute": return socket.heard ? Date.now() - step > STUCK : connects();
@@ -175,7 +175,7 @@ window.rotorstab = (() => {
 
   async function mend() {
     mending = true;
-    // a page that came back in vain waits longer each time
+    // after each reload without success the page waits longer
     let wait = Math.max(FIRST, Math.min(LONGEST_PAUSE, 1000 * (2 ** returns() - 1)));
     while (trouble()) {
       await new Promise((done) => setTimeout(done, wait * (0.7 + 0.6 * Math.random())));

@@ -6,11 +6,11 @@ export function render({ model, el }) {
   const rows = {};
   const page = window.rotorstab;
 
-  // -- what the server answers ---------------------------------------------
+  // -- answers of the server ---------------------------------------------
   function show(data) {
     if (data.values) for (const [name, row] of Object.entries(rows)) {
       const error = data.errors?.[name] || "";
-      // a refusal stays until the value is typed anew or is another one
+      // an error message stays until the value is typed again or changes
       if (error || data.replaced || data.values[name] !== state.values[name]) row.say(error);
       row.show(data.values[name]);
     }
@@ -45,7 +45,7 @@ export function render({ model, el }) {
 
   function text(value, step) {
     const digits = Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
-    // a value between steps (a preset's) is shown with the digits it needs
+    // a value between two steps (from a preset) is shown with all digits that it needs
     const short = value.toFixed(digits);
     return Math.abs(short - value) < 1e-9 ? short : String(Number(value.toPrecision(6)));
   }
@@ -73,7 +73,7 @@ export function render({ model, el }) {
       say("");
       change(field.name, value);
     });
-    // a finger that starts on a slider and scrolls moved it by its touch: put it back
+    // a finger that scrolls the page may begin on a slider and move it: restore the value
     let touched = null;
     slider.addEventListener("pointerdown", (event) => { touched = event.pointerType === "touch" ? slider.value : null; });
     slider.addEventListener("pointercancel", () => {
@@ -137,7 +137,7 @@ export function render({ model, el }) {
     return node("div", { class: "row switch" }, head);
   }
 
-  // a quantity in SI: its range spans magnitudes, so a box without a slider
+  // a quantity in SI has a box without a slider, because its range spans orders of magnitude
   function quantity(field) {
     const id = `rs-${field.name}`;
     const box = node("input", { type: "text", inputmode: "decimal", class: "box", id, autocomplete: "off", "aria-describedby": `${id}-help ${id}-error` });
@@ -154,7 +154,7 @@ export function render({ model, el }) {
         return;
       }
       say("");
-      // what is shown is rounded
+      // the box shows a rounded value
       if (value !== Number(state.values[field.name].toPrecision(9))) change(field.name, value);
     };
     box.addEventListener("change", commit);

@@ -1,4 +1,4 @@
-// The marker on the instability chart, the panel that looks inside it, and the pins.
+// The marker on the instability chart, the panel of the marked point, and the pins.
 window.rotorstab.inspector = (() => {
   const page = window.rotorstab;
   const one = (selector) => document.querySelector(selector);
@@ -121,7 +121,7 @@ window.rotorstab.inspector = (() => {
     });
   }, { once: true });
 
-  // as the sidebar's hints: beside each box in SI
+  // the value in SI beside each box, as in the sidebar
   function si({ hints }) {
     for (const name of ["marker_frequency", "marker_factor"]) one(`[data-marker-si="${name}"]`).textContent = `= ${hints[name]}`;
   }
@@ -157,7 +157,7 @@ window.rotorstab.inspector = (() => {
       for (const place of card.querySelectorAll(".steady")) page.steady(place);
       if (data.inspector.motion) page.shaft.load(data.inspector.motion);
       if (!painted) {
-        // its charts were made just now
+        // the charts have just been created
         painted = true;
         for (const delay of [0, 60, 400]) setTimeout(page.paintCharts, delay);
       }

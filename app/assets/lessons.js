@@ -1,4 +1,4 @@
-// Lessons: the list's progress, and the lesson that runs beside the live charts.
+// Lessons: the progress in the list, and the running lesson beside the live charts.
 window.rotorstab.lessons = (() => {
   const page = window.rotorstab;
   const STORE = "rotorstab-lessons";
@@ -7,7 +7,7 @@ window.rotorstab.lessons = (() => {
   const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
   const panel = () => document.querySelector(".lesson");
   let running = null; // the step as the server described it
-  let start = "", moved = false; // what the step's own inputs were, and whether they have changed
+  let start = "", moved = false; // first values of the inputs in the step, and whether they have changed
   let asked = ""; // key of the lesson that was asked for
   let values = {};
   let focusTo = "";
@@ -19,7 +19,7 @@ window.rotorstab.lessons = (() => {
       return found && typeof found === "object" && !Array.isArray(found) ? found : {};
     } catch { return {}; }
   }
-  // {at: step, steps: {0: "right" | "shown" | "tried"}}; whatever else stands there counts as nothing
+  // {at: step, steps: {0: "right" | "shown" | "tried"}}; any other content is ignored
   function progress(key) {
     const found = stored()[key];
     const steps = found && typeof found.steps === "object" && found.steps ? found.steps : {};
@@ -52,7 +52,7 @@ window.rotorstab.lessons = (() => {
     made.append(...children);
     return made;
   }
-  // texts of a lesson come from the server as HTML that was made harmless there
+  // the server has made the HTML of a lesson harmless
   function html(where, text) { where.innerHTML = text; }
   function button(words, action, kind = "") {
     const made = node("button", { type: "button", class: kind }, words);
@@ -69,7 +69,7 @@ window.rotorstab.lessons = (() => {
     where.hidden = !pairs.length;
   }
 
-  // -- controls of the step, besides those of the sidebar -------------------------
+  // -- controls that the step shows, in addition to the sidebar -------------------------
   function control(field) {
     const id = `lesson-${field.name}`;
     const title = [...page.rich(`${field.symbol} ${field.label}`.trim())];
@@ -90,7 +90,7 @@ window.rotorstab.lessons = (() => {
     return {
       row: node("div", { class: "lesson-slider" }, node("label", { for: id }, ...title), output, slider),
       show: (value) => {
-        // the marker moves over the chart, not beyond it
+        // the marker stays within the chart
         const [low, high] = LIMITS[field.name] || [];
         if (low) slider.min = Math.max(field.low, values[low]);
         if (high) slider.max = Math.min(field.high, values[high]);
@@ -148,18 +148,18 @@ window.rotorstab.lessons = (() => {
   }
 
   function answered({ right, counted, words, shown, recalled }) {
-    if (recalled) { // a step that was done before: its answer stands, and nothing scrolls
+    if (recalled) { // a step that was done before: show its answer, do not scroll
       say(words, "right");
       return;
     }
-    // the right answer that was given stays given
+    // an earlier right answer still counts
     if (counted && !right && !shown && passed(progress(running.key).steps[running.step])) {
       say("This answer is not right. Your earlier right answer still counts.", "note");
       return;
     }
-    // what is not counted is no answer yet: a number with its unit, say
+    // an answer that is not counted is not an answer yet, for example a number with its unit
     say(words, right ? "right" : shown ? "shown" : counted ? "hint" : "note");
-    // what is new may lie below the panel's edge
+    // the new text may lie below the edge of the panel
     requestAnimationFrame(() => {
       const inside = panel().scrollHeight > panel().clientHeight;
       if (inside) panel().scrollTop = Math.max(0, place("words").offsetTop - 60);
@@ -182,7 +182,7 @@ window.rotorstab.lessons = (() => {
     html(where, words);
   }
 
-  // -- what of the step is open -----------------------------------------------------
+  // -- the visible parts of the step -----------------------------------------------------
   function reveal() {
     const { key, step, kind, titles, next } = running;
     const { steps } = progress(key);
@@ -191,7 +191,7 @@ window.rotorstab.lessons = (() => {
     place("see-part").hidden = !passed(state);
     place("show").hidden = passed(state) || !state;
     veil(!state && kind !== "goal");
-    // after a wrong answer the numbers come with the trying
+    // after a wrong answer the numbers appear when the student moves an input
     panel().classList.toggle("tried", passed(state) || kind === "goal" || !running.move.length || moved);
     place("back").disabled = step === 0;
     const last = step === titles.length - 1;
@@ -207,7 +207,7 @@ window.rotorstab.lessons = (() => {
     }));
   }
 
-  // what would tell the answer waits for the prediction
+  // whatever would show the answer is hidden until the prediction
   let predicting = false, laid = "";
   function veil(on) {
     predicting = on;
@@ -238,7 +238,7 @@ window.rotorstab.lessons = (() => {
   }
 
   function show(step) {
-    if (step.key !== asked) return; // left meanwhile
+    if (step.key !== asked) return; // the student has left this lesson
     running = step;
     start = "";
     moved = false;
@@ -259,33 +259,32 @@ window.rotorstab.lessons = (() => {
     if (passed(progress(step.key).steps[step.step]) && step.kind !== "goal") page.send({ type: "lesson-show", recall: true });
     if (focusTo) {
       place(focusTo).focus({ preventScroll: true });
-      // past the header where it does not stay in view
+      // scroll past the header if it does not stay in view
       const phone = getComputedStyle(document.querySelector(".top")).position === "static";
       scrollTo({ top: phone ? document.querySelector("main").offsetTop : 0 });
       focusTo = "";
     }
   }
 
-  // -- coming and going ---------------------------------------------------------------
+  // -- entering and leaving a lesson ---------------------------------------------------------------
   function go(step, held = false) {
     focusTo = held ? "" : "heading";
     busy(true);
     page.send({ type: "lesson", lesson: asked, step, keep: held });
   }
 
-  // a step chosen with a button is a place to come back to; sliders are not
+  // a step that is chosen with a button gets an entry in the history; a moved slider does not
   let chosen = false;
   function choose(step) { chosen = true; go(step); }
 
-  // nothing of the old step acts while the new one is under way, but one may leave
+  // while the new step loads, the old one is inactive, except for the button that leaves the lesson
   function busy(waiting) {
     panel().setAttribute("aria-busy", String(waiting));
     for (const part of panel().children) if (!part.matches(".lesson-head")) part.inert = waiting;
   }
 
-  // #lesson/name/step: the charts with that step beside them; the state is the address' own,
-  // where the page was opened with one.
-  // #lesson/name: the lesson where it was left, with its own state
+  // #lesson/name/step opens that step beside the charts, with the state of the address if it has one.
+  // #lesson/name opens the lesson at the step where the student left it, with the state of the lesson.
   function visit() {
     const found = location.hash.match(/^#lesson\/([a-z0-9-]{1,61})(?:\/(\d{1,4}))?$/);
     if (!page.send) return;
@@ -301,9 +300,9 @@ window.rotorstab.lessons = (() => {
     if (running) stand();
   }
   let visited = false;
-  const sent = location.search.length > 1; // before the page writes its own state there
+  const sent = location.search.length > 1; // read before the page writes its state into the address
 
-  // the step stands in the address, so that a link opens on it
+  // the address names the step, so that a link opens it
   function name() {
     if (!location.hash.startsWith("#lesson/")) return;
     const hash = `#lesson/${running.key}/${running.step + 1}`;
@@ -338,11 +337,11 @@ window.rotorstab.lessons = (() => {
       list();
       if (running) { reveal(); stand(); }
     });
-    // a lesson's link chosen again, from the list, while it runs
+    // the link of the running lesson is chosen again in the list
     for (const link of document.querySelectorAll('a[href^="#lesson/"]')) {
       link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(visit); });
     }
-    window.addEventListener("popstate", visit); // of a change of hash too, and of Back over another query
+    window.addEventListener("popstate", visit); // fires for a change of the hash and for Back to another query
     list();
   }, { once: true });
 

@@ -1,18 +1,18 @@
-// Messages to the server and their answers, which come in the order of the messages. Latest wins:
-// new values leave only after the frame that answers the last ones was painted, so nothing queues up.
+// Messages to the server and their answers, which arrive in the order of the messages. New values are sent only
+// after the browser has painted the answer to the last ones, and then only the newest, so no queue can build up.
 window.rotorstab.messages = (() => {
   const page = window.rotorstab;
-  const REST = 80; // ms without a change after which the full picture is asked for
-  const IDLE = 5000; // ms without an answer after which a page in view asks whether the server is there
+  const REST = 80; // ms without a change after which the page requests the full picture
+  const IDLE = 5000; // ms without an answer after which a visible page asks whether the server is there
   const STORE = "rotorstab-unanswered";
-  const REPLACING = ["preset", "reset", "use_shaft", "rotor_file"]; // set many values at once
+  const REPLACING = ["preset", "reset", "use_shaft", "rotor_file"]; // messages that set many values at once
   const STATEFUL = ["change", ...REPLACING, "pin", "unpin"];
   const here = () => location.pathname + location.search;
 
-  const unanswered = new Map(); // sequence number: the message, and since when it waits
+  const unanswered = new Map(); // by sequence number: the message and the time when it was sent
   let pending = {}; // values that were set and not sent
-  let earlier = stored(); // messages that were not answered before the page came back
-  let deliver = null, present = null; // how a message leaves, and who shows an answer in the sidebar
+  let earlier = stored(); // messages from before a reload that were not answered
+  let deliver = null, present = null; // functions that send a message and show an answer in the sidebar
   let sequence = 0, inflight = 0, releasing = false;
   let resting = 0, due = false;
   let heard = 0; // time of the last answer
@@ -27,7 +27,7 @@ window.rotorstab.messages = (() => {
     return sequence;
   }
 
-  // -- latest wins ------------------------------------------------------------
+  // -- only the newest values are sent ------------------------------------------------------------
   function flush() {
     if (inflight || !Object.keys(pending).length) return;
     const values = pending;
@@ -43,22 +43,22 @@ window.rotorstab.messages = (() => {
   }
 
   function settle() {
-    // at once after the last picture, where that takes longer than the rest
+    // if a message is still being answered, request the full picture right after its answer
     due = moving();
     if (!due) send({ type: "settle" });
   }
 
   function change(name, value) {
-    // a number box tells the same value with its Enter and with its change
+    // a number box reports the same value for Enter and for its change event
     if ((name in pending ? pending[name] : stateful().at(-1)?.values?.[name]) === value) return;
     pending[name] = value;
-    queueMicrotask(flush); // what one event sets leaves together: a marker is placed in one step
+    queueMicrotask(flush); // values that one event sets are sent together, for example both coordinates of the marker
     clearTimeout(resting);
     due = false;
     resting = setTimeout(settle, REST);
   }
 
-  // what was set before a button was pressed is sent before it
+  // values that were set before a button was pressed are sent before its message
   function press(message) {
     const values = pending;
     pending = {};
@@ -67,7 +67,7 @@ window.rotorstab.messages = (() => {
   }
 
   // -- answers -----------------------------------------------------------------
-  // what was set after the message that an answer is for: the answer must not undo it
+  // values that were set after the answered message, which the answer must not undo
   function ahead() {
     return Object.assign({}, ...stateful().map(({ values }) => values), pending);
   }
@@ -85,7 +85,7 @@ window.rotorstab.messages = (() => {
         requestAnimationFrame(freed);
       }
       page.connection.look();
-    // a full picture that was made meanwhile is not the answer to what moved since
+    // a full picture that the server sends on its own is outdated if something has moved since
     } else if (data.values && (moving() || stateful().length)) return;
     const answer = data.values ? { ...data, replaced, values: { ...data.values, ...ahead() } } : data;
     present(answer);
@@ -96,7 +96,7 @@ window.rotorstab.messages = (() => {
     }
   }
 
-  // -- a page that comes back sends what was not answered, and its address holds all else -------
+  // -- after a reload the page sends again what was not answered; its address holds everything else -------
   function keep() {
     const messages = [...earlier, ...stateful()];
     if (Object.keys(pending).length) messages.push({ type: "change", values: pending });
@@ -131,17 +131,17 @@ window.rotorstab.messages = (() => {
     attach(how, who) {
       deliver = how;
       present = who;
-      // the page's own buttons reach the server through the sidebar's component
+      // the buttons of the page send their messages through the component of the sidebar
       page.send = press;
       page.change = change;
       send({ type: "hello" });
     },
-    // ms that the oldest message has waited
+    // time in ms that the oldest unanswered message has waited
     waited() {
       const [oldest] = unanswered.values();
       return oldest ? Date.now() - oldest.at : 0;
     },
-    // nothing could be answered while the device slept
+    // after the device slept: no answer could arrive meanwhile
     renew() {
       for (const one of unanswered.values()) one.at = Date.now();
       ask();

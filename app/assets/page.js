@@ -1,10 +1,10 @@
-// What the page does outside the charts: theme, drawer, key numbers, notices.
+// The page outside the charts: theme, drawer, key numbers, notices.
 (() => {
   const root = document.documentElement;
   const page = window.rotorstab;
   const seen = new Set();
 
-  // -- theme: stored choice, else the system's; charts follow ----------------
+  // -- theme: the stored choice or that of the system; the charts follow it ----------------
   const stored = (() => { try { return localStorage.getItem("rotorstab-theme"); } catch { return null; } })();
   const system = window.matchMedia("(prefers-color-scheme: dark)");
   root.dataset.theme = stored || (system.matches ? "dark" : "light");
@@ -14,7 +14,7 @@
   const coarse = window.matchMedia("(pointer: coarse)");
   const freed = new WeakSet();
 
-  // while a lesson asks for a prediction the tongues have no names, nor does the pointer find any
+  // while a lesson asks for a prediction, the names of the tongues and the hover texts are hidden
   function veilNames(figure, quiet) {
     const names = figure.renderers.find((one) => one.name === "tongue");
     names?.glyph.setv({ text_alpha: { value: page.veiled ? 0 : 1 }, background_fill_alpha: { value: page.veiled ? 0 : 0.7 } }, quiet);
@@ -35,7 +35,7 @@
             case "ColorBar":
               model.setv({ major_label_text_color: soft, title_text_color: ink, bar_line_color: null, background_fill_color: null }, quiet); break;
             case "BoxZoomTool":
-              // one finger scrolls the page over a chart; the tool stands ready above it
+              // on a touch screen one finger scrolls the page; the zoom tool can be switched on above the chart
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
               break;
             case "Figure":
@@ -53,7 +53,7 @@
 
   page.paintCharts = paintCharts;
 
-  // a chart whose place took another width while it was made folds its tools away
+  // a chart that was created while its place changed its width hides its tools until it is laid out again
   page.relayout = () => {
     const walk = (view) => {
       if (view.model.type === "Figure") view.invalidate_layout();
@@ -64,13 +64,13 @@
 
   function setTheme(name, keep) {
     root.dataset.theme = name;
-    // the word says what a click brings
+    // the button names the theme that a click chooses
     document.querySelector("button.theme").textContent = name === "dark" ? "Light" : "Dark";
     if (keep) try { localStorage.setItem("rotorstab-theme", name); } catch { /* private window */ }
     paintCharts();
   }
 
-  // "β_d" and its like with a real subscript; names such as spin_speed stay as they are
+  // show symbols such as "β_d" with a subscript; names such as spin_speed stay as they are
   function rich(text) {
     return text.split(/(?<![\p{L}\d_])(\p{L}\p{M}?_(?:\p{Ll},\p{Lu}+|[\p{L}\d]+))/u).map((part) => {
       const found = part.match(/^(\p{L}\p{M}?)_([\p{L}\d,]+)$/u);
@@ -91,7 +91,7 @@
     return grouped(value.toPrecision(5));
   }
 
-  // as the server's `written`: no exponent where plain digits say as much
+  // the same format as `written` of the server: no exponent below 1e9
   function grouped(text) {
     const [mantissa, power] = (Math.abs(Number(text)) < 1e9 && text.includes("e+") ? String(Number(text)) : text).split("e");
     const [whole, part] = mantissa.split(".");
@@ -101,10 +101,10 @@
   }
   page.written = (value, digits = 4) => grouped(String(Number(value.toPrecision(digits))));
 
-  // ARIA reads an empty value as false
+  // ARIA treats an empty value as false, so the attribute is removed
   page.flag = (box, wrong) => (wrong ? box.setAttribute("aria-invalid", "true") : box.removeAttribute("aria-invalid"));
 
-  // a number as people type it, by the rules of typed_number.py: { value }, or { doubt } in words
+  // read a typed number by the rules of app/reading/numbers.py; return { value }, or { doubt } with a message
   const TYPED = new RegExp(`^[+-]?(?:${[
     "\\d{1,3}(?:[ \u00a0\u2009\u202f'’_]\\d{3})+(?:[.,]\\d*)?", "\\d{1,3}(?:,\\d{3})+\\.\\d*", "\\d{1,3}(?:\\.\\d{3})+,\\d*",
     "\\d{1,3}(?:,\\d{3}){2,}", "\\d{1,3}(?:\\.\\d{3}){2,}", "\\d+(?:[.,]\\d*)?", "[.,]\\d+",
@@ -119,7 +119,7 @@
     plain = plain.replace(/[ \u00a0\u2009\u202f'’_]/g, "");
     const count = (sign) => plain.split(sign).length - 1;
     const last = plain[Math.max(plain.lastIndexOf("."), plain.lastIndexOf(","))];
-    // the sign that comes more than once, or not last, groups thousands
+    // a sign that occurs more than once, or not last, separates thousands
     const group = count(".") > 1 ? "." : count(",") > 1 ? "," : count(".") && count(",") ? (last === "." ? "," : ".") : "";
     if (group) plain = plain.replaceAll(group, "");
     return { value: Number(plain.replace(",", ".")) };
@@ -135,7 +135,7 @@
   const grows = (imaginary) => Math.abs(imaginary) > 1e-9;
   const word = (imaginary) => (imaginary < 0 ? "grows" : "decays");
 
-  // in SI loads are in N or kN, frequencies in Hz, and a growing whirl's growth per second
+  // in SI, loads are in N or kN, frequencies in Hz, and growth or decay is per second
   function showNumbersInSI({ numbers, load_unit }) {
     for (const place of document.querySelectorAll("[data-number]")) {
       const value = numbers[place.dataset.number];
@@ -160,7 +160,7 @@
     page.rigid = numbers.rigid;
   }
 
-  // -- a place whose words change keeps the largest height it had at this width ----------
+  // -- a place with changing text keeps its largest height, so that the charts do not move ----------
   function steady(place) {
     const { width } = place.getBoundingClientRect();
     if (!width) return;
@@ -172,7 +172,7 @@
   }
   page.steady = steady;
 
-  // -- layers of the instability chart: the legend mutes what is off, and switches it ----
+  // -- layers of the instability chart, which the legend switches ----
   const LAYERS = { show_growth: "the map of growth", show_bolotin: "Bolotin regions", show_disagreement: "the shading of disagreement" };
   function showLayers(values) {
     for (const name of Object.keys(LAYERS)) root.dataset[name] = String(values[name]);
@@ -181,7 +181,7 @@
       entry.classList.toggle("off", !on);
       entry.querySelector("button")?.setAttribute("aria-pressed", String(on));
     }
-    // the verdict speaks of Floquet all the same
+    // the text above the chart still describes the hidden layers
     const off = Object.keys(LAYERS).filter((name) => !values[name]).map((name) => LAYERS[name]);
     const words = document.querySelector("[data-hidden-layers]");
     words.hidden = !off.length;
@@ -189,7 +189,7 @@
     words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. The legend switches layers on and off.` : "";
   }
 
-  // the legend names the load–frequency curves that are drawn
+  // the legend shows only the load–frequency curves that are drawn
   function showCurves(drawn) {
     for (const entry of document.querySelectorAll("[data-curve]")) entry.hidden = !drawn.includes(entry.dataset.curve);
   }
@@ -207,7 +207,7 @@
     });
   }
 
-  // -- pages: the address' hash names the one in view -------------------------
+  // -- pages: the hash of the address names the visible page -------------------------
   function visit() {
     const sections = [...document.querySelectorAll("[data-page]")];
     const wanted = location.hash.slice(1);
@@ -217,7 +217,7 @@
     if (page.send) page.send({ type: "page", name: chosen.dataset.page });
   }
 
-  // the menu's place: a lesson stands beside the charts, yet it is a lesson
+  // the current entry of the menu: a running lesson counts as Lessons, although it shows the charts of Explore
   function mark() {
     const shown = document.querySelector("[data-page]:not([hidden])").dataset.page;
     const lesson = location.hash.startsWith("#lesson/") || (shown === "explore" && page.lessons?.running);
@@ -228,10 +228,10 @@
   }
   page.mark = mark;
 
-  // -- short messages that go by themselves -----------------------------------
+  // -- short messages that disappear after some seconds -----------------------------------
   let telling = 0;
   function tell(words) {
-    // an open dialog covers the rest of the page: it has a place of its own
+    // an open dialog covers the page, so it has its own place for messages
     const place = document.querySelector(dialog().open ? "dialog .told" : ".toast");
     hush();
     place.textContent = words;
@@ -243,7 +243,7 @@
     for (const place of document.querySelectorAll(".toast, dialog .told")) place.hidden = true;
   }
 
-  // -- texts to be copied: selected in a dialog wherever the browser does not copy them by itself ----
+  // -- copying: where the browser does not allow it, the text is selected in a dialog ----
   const dialog = () => document.querySelector("dialog.code");
   function offer(title, text) {
     dialog().querySelector("h2").textContent = title;
@@ -270,7 +270,7 @@
   // -- the address: the state of the last answer, and the page in view --------------
   let query = "";
   function address() {
-    // history entries would fill the back button with slider positions
+    // replace the entry, or the back button would go through slider positions
     if (query) history.replaceState(null, "", `${location.pathname}?${query}${location.hash}`);
   }
 
@@ -281,7 +281,7 @@
     if (data.si) showNumbersInSI(data.si);
     if (data.verdict) {
       const words = document.querySelector("[data-verdict]");
-      // spoken only at rest: a moving slider would talk without end
+      // screen readers announce it only at rest, not for every step of a slider
       words.setAttribute("aria-live", data.settled ? "polite" : "off");
       if (page.verdict !== data.verdict) {
         words.replaceChildren(...rich(data.verdict));
@@ -300,7 +300,7 @@
     if (data.resting && !page.left) address(); // nothing else is new
     if (!data.values) return;
     query = data.query;
-    // at rest: browsers refuse an address that changes with every frame
+    // only at rest, because browsers refuse an address that changes with every frame
     if (data.at_rest && !page.left) address();
     const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: such a disk cannot exist."].filter(Boolean);
     const notice = document.querySelector(".notice");
@@ -311,7 +311,7 @@
     if (data.curves) showCurves(data.curves);
     page.last = data;
     if (!seen.has(data.page)) {
-      // its charts were made just now; the page in the address may not be the first one
+      // the charts have just been created; the address may name another page than the first
       seen.add(data.page);
       document.querySelector(`[data-page="${data.page}"]`).setAttribute("aria-busy", "false");
       for (const delay of [0, 60, 400]) setTimeout(paintCharts, delay);
@@ -353,7 +353,7 @@
     document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
-    window.addEventListener("popstate", visit); // of a change of hash too, and of Back over another query
+    window.addEventListener("popstate", visit); // fires for a change of the hash and for Back to another query
     visit();
     setTheme(root.dataset.theme, false);
     // es-module-shims fires the event a second time

@@ -1,4 +1,4 @@
-// The Paper page: figures on request, and downloads for every page.
+// The Paper page with its figures, and the downloads of every page.
 window.rotorstab.paper = (() => {
   const page = window.rotorstab;
   const place = (name) => document.querySelector(`[data-paper="${name}"]`);
@@ -19,7 +19,7 @@ window.rotorstab.paper = (() => {
   function ask(number) {
     current = number;
     for (const button of document.querySelectorAll("[data-figure]")) button.setAttribute("aria-pressed", String(Number(button.dataset.figure) === number));
-    // a figure with Floquet takes seconds: the words of another one must not stand below its name
+    // a figure with Floquet takes seconds: meanwhile the text of the last figure must not be shown
     place("title").textContent = `Figure ${number}`;
     for (const name of ["caption", "parameters", "reading", "settings"]) place(name).replaceChildren();
     await_picture("Drawing …");
@@ -100,7 +100,7 @@ window.rotorstab.paper = (() => {
 
   return {
     answer(data) {
-      // one with Floquet may come after another was asked for
+      // a figure with Floquet may arrive after the user has chosen another one
       if (data.figure && data.figure.number === current && (data.figure.floquet === floquet() || !data.figure.has_floquet)) show(data.figure);
       if (data.table_1) place("table").replaceChildren(...data.table_1.map((cells) => row(cells, 1)));
       if (data.picture) picture(data.picture);

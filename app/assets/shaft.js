@@ -1,8 +1,8 @@
-// The shaft in motion: side view and end view, drawn from one stretch of the response.
+// The animation of the shaft: side view and end view, drawn from a part of the response.
 window.rotorstab.shaft = (() => {
   const page = window.rotorstab;
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
-  const SECONDS = 2.4; // one turn of the fastest of load and whirl, at speed 1
+  const SECONDS = 2.4; // time in s for one period of the load or the whirl, whichever is faster, at speed 1
   let data = null, canvases = null, index = 0, last = 0, frame = 0, onScreen = false, wanted = !still.matches;
 
   const decode = (text) => new Float32Array(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
@@ -14,7 +14,7 @@ window.rotorstab.shaft = (() => {
     const rows = [0, 1, 2, 3].map((row) => flat.subarray(row * count, (row + 1) * count));
     const dt = motion.period / motion.samples;
     data = { ...motion, rows, count, dt, level: new Float32Array(count) };
-    // growth taken out: relative to e^(σt), largest value 1
+    // factors that remove the growth e^(σt) and scale the largest value to 1
     let top = 0;
     for (let k = 0; k < count; k++) {
       data.level[k] = Math.exp(Math.min(80, motion.growth * dt * (count - 1 - k)));
@@ -57,7 +57,7 @@ window.rotorstab.shaft = (() => {
     pen.lineWidth = 3;
     const head = Math.min(10, Math.abs(length));
     const sign = Math.sign(length) || 1;
-    // compression points at the tip, tension away from it
+    // the arrow points at the tip for compression and away from it for tension
     const [from, to] = sign > 0 ? [length, 0] : [0, -length];
     pen.beginPath(); pen.moveTo(from, 0); pen.lineTo(to + (sign > 0 ? head : -head), 0); pen.stroke();
     pen.beginPath(); pen.moveTo(to, 0); pen.lineTo(to + sign * head, -5); pen.lineTo(to + sign * head, 5); pen.closePath(); pen.fill();
@@ -82,7 +82,7 @@ window.rotorstab.shaft = (() => {
       if (k) pen.lineTo(x, y); else pen.moveTo(x, y);
     });
     pen.stroke();
-    // the same scale for slopes, so that the disk stays square to the shaft
+    // slopes have the same scale, so that the disk stays perpendicular to the shaft
     const slope = -Math.atan(now.gamma * reach / (tip - root));
     const y = middle - reach * now.v;
     pen.save(); pen.translate(tip, y); pen.rotate(slope);

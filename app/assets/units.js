@@ -1,7 +1,7 @@
-// Units: the panel below the shaft's data in the sidebar, rotor files, and taps on charts in SI.
+// Units: the panel below the data of the shaft in the sidebar, rotor files, and clicks on charts in SI.
 window.rotorstab.units = (() => {
   const page = window.rotorstab;
-  const LARGEST = 8000; // bytes, as the server's
+  const LARGEST = 8000; // bytes, the same limit as on the server
   let factors = {};
   let parts = null;
 
@@ -48,7 +48,7 @@ window.rotorstab.units = (() => {
     if (data.si !== undefined) factors = data.si ? data.si.factors : {};
   }
 
-  // from a place on a chart to the marker's own numbers
+  // convert a position on a chart to the non-dimensional numbers of the marker
   function plain(key, x, y) {
     const [fx, fy] = factors[key] || [1, 1];
     return [x / fx, y / fy];
