@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from rotorstab import BASE_CASE, critical_load, finite_element, lumped
+from rotorstab.floquet.averaging import averaged_tongue
 from rotorstab.floquet.point import growth_rate
-from rotorstab.floquet.resonance import averaged_tongue, resonances
+from rotorstab.floquet.resonance import resonances
 from tests.testing.example_rotors import P, W, one_dof
 
 # speed, tangency, then pair: centre/ω_n, growth per β_d (theory, base case, α_s = 0.5)

@@ -1,6 +1,7 @@
 """What is unstable under a pulsating load: Floquet's theory, point by point and along tongues.
 
-Read `schemes`, `kicks` and `integrator`, then `criterion` (what counts as unstable) and `point`,
-then `resonance` and `first_order`; `initial_conditions`, `response` and `shaft_shape` show motion.
-`interpolant` makes whole charts quick, and `tongues` finds what lies between their pixels.
+Read `schemes`, `kicks` and `integrator`; `multipliers`, `criterion` (what counts as unstable) and
+`point`; `averaging`, `resonance` and `first_order`. Motion is in `initial_conditions`,
+`sampled_period`, `response` and `shaft_shape`. `interpolant` makes whole charts quick, and
+`tongues` finds what lies between their pixels.
 """

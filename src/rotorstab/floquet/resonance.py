@@ -15,8 +15,9 @@ from .._types import AnyArray, Complex
 from ..model.modal import ModalBasis, modal_basis
 from ..model.system import System, single_speed
 from ..whirl.mode_names import names_of
+from .averaging import averaged_tongue
 
-__all__ = ["Resonance", "ResonanceTable", "averaged_tongue", "resonances"]
+__all__ = ["Resonance", "ResonanceTable", "resonances"]
 
 _SLOPE_LOAD = 1e-4  # p̄_t of the slope K₁/p̄_t where the given one is 0
 
@@ -152,40 +153,6 @@ def _classify(first: str, second: str) -> tuple[str, str, str, str]:
     if first[-1] == second[-1]:
         return first, second, "difference", "same"
     return first, second, "principal" if first[:-1] == second[:-1] else "sum", "opposite"
-
-
-def averaged_tongue(
-    coupling: complex, decay: tuple[float, float], load: float
-) -> tuple[float, float, float, float]:
-    """Return growth per load, growth, half-width and threshold of one resonant pair.
-
-    The averaged pair is a' = −σ_i a + (jp/2)B_ij b, b' = (±jδ − σ_j) b + (jp/2)B_ji a. With a
-    complex g the detuning δ of largest growth splits the phase of g evenly, so that the pair acts
-    like one with g_eff = (|g| + Re g)/2.
-
-    Parameters
-    ----------
-    coupling : complex
-        g.
-    decay : (float, float)
-        σ_i and σ_j, decay rates of the two modes.
-    load : float
-        p̄_t.
-    """
-    low, high = sorted(decay)
-    strength = (abs(coupling) + coupling.real) / 2
-    per_load = strength**0.5 / 2
-    drive = load**2 * strength / 4
-    growth = -(low + high) / 2 + (((high - low) / 2) ** 2 + drive) ** 0.5
-    if strength == 0:
-        return 0.0, growth, 0.0, math.inf
-    if low < 0:
-        return per_load, math.nan, math.nan, 0.0
-    product = low * high
-    if product == 0:  # no decay, or so little that the product underflows
-        return per_load, growth, 2 * drive**0.5, 0.0
-    width = (low + high) * max(drive / product - 1, 0.0) ** 0.5
-    return per_load, growth, width, 2 * (product / strength) ** 0.5
 
 
 def resonances(system: System, static_load: float, pulsating_load: float) -> ResonanceTable:

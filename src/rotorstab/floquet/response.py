@@ -14,15 +14,12 @@ import numpy as np
 from .._arguments import number, whole_number
 from .._tolerances import ON_UNIT_CIRCLE
 from .._types import Array, ArrayLike, Complex
-from ..model.modal import ModalBasis, splitting_basis
 from ..model.system import System, single_speed
 from .initial_conditions import tip_coordinate
-from .integrator import POINT_LEVELS, fastest_rate, fine_and_coarse, segment_propagators
-from .schemes import POINT_SCHEME
+from .sampled_period import SampledPeriod, sampled_period
 
 __all__ = ["TimeResponse", "time_response"]
 
-_TOLERANCE = 1e-11  # relative difference of the extrapolants of order 10 and 8 of a sample interval
 _MOST_STEPS = 2_000_000  # in one period
 _MOST_ROWS = 4_000_000
 _LARGEST_LOG = 600.0  # e^600 and its products with states here are still doubles
@@ -79,56 +76,6 @@ class TimeResponse:
         with np.errstate(divide="ignore", invalid="ignore"):
             touch = np.abs(self.displacement) / curve
         return np.asarray(np.nanmax(touch[np.isfinite(touch)], initial=0.0) * curve)
-
-
-@dataclass(frozen=True)
-class _Samples:
-    """The propagator of one period, sampled.
-
-    `from_start` is Y(0 → t_s) for s = 0 … samples, (samples + 1, 2n, 2n), in the coordinates of
-    `basis`; `error` is the estimated relative error of one sample interval.
-    """
-
-    basis: ModalBasis
-    from_start: Complex
-    error: float
-
-
-def _sampled_period(
-    system: System, static: float, pulsating: float, period: float, samples: int, most_steps: int
-) -> _Samples:
-    """Return the propagator at the sample times, halving the steps until it has converged."""
-    basis = splitting_basis(system, static)
-    loads = np.array([static]), np.array([pulsating])
-    span = np.array([period])
-    turned = float(fastest_rate(system, basis, loads)[0]) * period / samples
-    factor = int(turned / POINT_LEVELS[-1]) + 1
-
-    def propagators(steps: int) -> Complex:
-        return segment_propagators(
-            system, basis, loads, span, 2 * np.pi, steps, POINT_SCHEME, samples
-        )[..., 0]
-
-    def steps_per_period(factor: int) -> int:
-        return factor * POINT_LEVELS[-1] * samples
-
-    if steps_per_period(factor) > most_steps:
-        raise ValueError(
-            "`excitation_frequency` is so low that one period takes "
-            f"{steps_per_period(factor)} steps, more than `most_steps`, {most_steps}"
-        )
-    while True:
-        fine, coarse = fine_and_coarse(propagators, factor)
-        error = float(np.abs(fine - coarse).max() / np.abs(fine).max())
-        if not error > _TOLERANCE or steps_per_period(2 * factor) > most_steps:
-            break
-        factor *= 2
-    parts = np.moveaxis(fine, -1, 0)
-    from_start = np.empty((samples + 1, *parts.shape[1:]), complex)
-    from_start[0] = np.eye(parts.shape[-1])
-    for index, part in enumerate(parts):
-        from_start[index + 1] = part @ from_start[index]
-    return _Samples(basis, from_start, error)
 
 
 def _orbit_of_periods(monodromy: Complex, start: Complex, periods: int) -> Complex:
@@ -214,16 +161,13 @@ def time_response(
             f"`periods` times `samples_per_period` must be at most {_MOST_ROWS}, "
             f"got {length * samples}"
         )
-    n = system.size
-    start = np.asarray(initial, dtype=np.complex128)
-    if start.shape != (2 * n,) or not np.isfinite(start).all():
-        raise ValueError(f"`initial` must hold {2 * n} finite numbers, got {initial!r}")
+    start = _checked_state(system, initial)
     if len(tip) != 2:
         raise ValueError(f"`tip` must hold two coordinates, got {tip!r}")
     ends = [tip_coordinate(system, index) for index in tip]
     period = 2 * np.pi / frequency
     with np.errstate(over="ignore", invalid="ignore"):
-        sampled = _sampled_period(system, static, pulsating, period, samples, most)
+        sampled = sampled_period(system, static, pulsating, period, samples, most)
     if not np.isfinite(sampled.from_start[-1]).all():
         raise ValueError(
             "`excitation_frequency` is so low that the motion overflows within one period, "
@@ -250,6 +194,15 @@ def time_response(
     return response
 
 
+def _checked_state(system: System, initial: ArrayLike) -> Complex:
+    """Return a state (q, q̇) whose 2n numbers are finite."""
+    size = 2 * system.size
+    state = np.asarray(initial, dtype=np.complex128)
+    if state.shape != (size,) or not np.isfinite(state).all():
+        raise ValueError(f"`initial` must hold {size} finite numbers, got {initial!r}")
+    return state
+
+
 def _multipliers(monodromy: Complex, damped: bool) -> tuple[Complex, float]:
     """Return the multipliers, largest modulus first, and that modulus, 1 where it is neutral."""
     multipliers = np.linalg.eigvals(monodromy)
@@ -261,7 +214,7 @@ def _multipliers(monodromy: Complex, damped: bool) -> tuple[Complex, float]:
 
 
 def _motion(
-    sampled: _Samples,
+    sampled: SampledPeriod,
     start: Complex,
     coordinates: list[int],
     periods: int,
