@@ -132,7 +132,7 @@ SOCKETS = {
     "token too old": ("connect(); made[0].happen('open', 'close')", "is refused", True),
     "refused again": (AGAIN + "connect(); made[0].happen('close')", "is refused", False),
     "hangs": ("connect()", "does not open", False),
-    "never answers": ("connect(); made[0].happen('open')", "does not get what it waits for", False),
+    "never answers": ("connect(); made[0].happen('open')", "but no data arrives", False),
 }
 
 
