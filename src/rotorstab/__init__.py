@@ -16,24 +16,29 @@ from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation,
 from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
 from .model.lumped import lumped
-from .model.stiffness import exact_stiffness, linear_stiffness
+from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, linear_stiffness
 from .model.system import System, fundamental_frequency
+from .rotors.materials import MATERIALS, Material
 from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from .whirl.campbell import WhirlCurves, campbell_diagram, load_frequency_curves
 from .whirl.critical_loads import beck_load, critical_load, flutter_load
 from .whirl.critical_speeds import CriticalSpeeds, critical_speeds
 from .whirl.frequencies import whirl_frequencies
+from .whirl.mode_names import mode_names, named_frequencies
 
 __all__ = [
     "BASE_CASE",
     "EULER_BERNOULLI_TWIN",
+    "MATERIALS",
     "TABLE_1_SI",
     "BolotinChart",
     "CriticalPulsation",
     "CriticalSpeeds",
     "FirstOrderRegion",
     "FloquetSolution",
+    "Material",
     "Outline",
+    "PastPole",
     "Resonance",
     "ResonanceTable",
     "Scales",
@@ -64,9 +69,12 @@ __all__ = [
     "hill_boundary_frequencies",
     "in_bolotin_region",
     "initial_conditions",
+    "largest_exact_load",
     "linear_stiffness",
     "load_frequency_curves",
     "lumped",
+    "mode_names",
+    "named_frequencies",
     "resonances",
     "shaft_shape",
     "stability_chart",

@@ -31,7 +31,7 @@ def polynomial_24(system, static, pulsating):
 @pytest.mark.parametrize(
     ("speed", "static_factor", "factor", "expected"),
     [
-        # theory notes §5: axial, Φ = 0.0192, disk (5, 0.8), θ/ω_n
+        # θ/ω_n of a separate solution of Eq. (24) (docs/validation.md): axial load, base case
         (0.0, 0.0, 0.5, [1.73774, 2.23094]),
         (0.0, 0.0, 1.0, [1.42699, 2.43947]),
         (0.0, 0.5, 0.0, [1.42699, 1.42699]),

@@ -33,7 +33,7 @@ def stiffness_of_the_equations(load, shear, tangency):
 
 
 def appendix_a(load, shear, tangency):
-    """K from the printed flexibilities, misprints mended, for p̄ > 0 in extended precision."""
+    """K from the printed flexibilities, misprints corrected, for p̄ > 0 in extended precision."""
     p, phi = np.longdouble(load), np.longdouble(shear)
     k = np.sqrt(p / (1 - phi * p))
     sin, cos = np.sin(k), np.cos(k)
@@ -116,7 +116,7 @@ def test_the_series_and_the_closed_form_meet():
 
 
 def test_linear_coefficients_of_the_base_case():
-    # (B1)–(B9) at Φ = 0.0192, errata mended
+    # (B1)–(B9) at Φ = 0.0192, misprints corrected
     d = 1 + 12 * SHEAR
     elastic, geometric = rs.linear_stiffness(SHEAR)
     assert elastic == pytest.approx(np.array([[12, -6], [-6, 4 * (1 + 3 * SHEAR)]]) / d, rel=1e-15)

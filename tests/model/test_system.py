@@ -13,7 +13,7 @@ BASE = rs.BASE_CASE
 
 
 def test_base_case_fundamental_frequency():
-    # the number of the notes: ω̄_n = 0.6466913
+    # docs/theory.md, from a separate solution
     assert rs.fundamental_frequency(rs.lumped(BASE, 0.0)) == pytest.approx(0.6466913, abs=5e-8)
 
 

@@ -19,7 +19,7 @@ def test_base_case_is_the_papers():
 
 def test_table_1():
     rotor, scales = rs.ShaftDisk.from_si(**rs.TABLE_1_SI)
-    # Table 1 as worked out in the notes: all digits given there
+    # Table 1 made non-dimensional by hand (docs/theory.md)
     assert scales.mass == pytest.approx(1.20637, abs=5e-6)
     assert rotor.shear == pytest.approx(2.92191e-4, abs=5e-10)
     assert rotor.disk_mass == pytest.approx(1.161334, abs=5e-7)

@@ -28,7 +28,7 @@ def test_buckling_is_the_first_zero_of_the_exact_determinant(shear):
 
 @pytest.mark.parametrize(("stiffness", "expected"), [("linear", 6.29010), ("exact", 5.97797)])
 def test_published_flutter_loads_at_rest(stiffness, expected):
-    # theory notes §3: disk (5, 0.8, 1.6), Ω̄ = 0, follower
+    # merging roots by a separate program (docs/validation.md): base case at rest, follower load
     system = rs.lumped(BASE, 0.0, tangency=1.0, stiffness=stiffness)
     assert rs.flutter_load(system) == pytest.approx(expected, abs=5.1e-6)
 

@@ -35,7 +35,7 @@ def distance(a, b):
 @pytest.mark.parametrize(
     ("speed", "tangency", "load", "expected"),
     [
-        # theory notes §4, from the paper's base case (Figs 6–8)
+        # a separate solution of the quartic (docs/validation.md) for the base case of Figs 6–8
         (0.0, 0.0, 0.0, [-2.41457, -0.64669, 0.64669, 2.41457]),
         (1.0, 0.0, 0.0, [-1.93485, -0.40411, 0.90922, 3.42974]),
         (2.0, 0.0, 0.0, [-1.73338, -0.26610, 1.07302, 4.92646]),

@@ -52,7 +52,7 @@ def exact_stiffness(load: ArrayLike, shear: ArrayLike, tangency: ArrayLike = 0.0
     Parameters
     ----------
     load : (...) float
-        Longitudinal load p̄ [EI/L²], compression positive, below the pole 4π²/(1 + 4π²Φ).
+        Longitudinal load p̄ [EI/L²], compression positive, below `largest_exact_load`.
     shear : (...) float
         Shear parameter Φ [-], in [0, 1).
     tangency : (...) float
@@ -67,7 +67,9 @@ def exact_stiffness(load: ArrayLike, shear: ArrayLike, tangency: ArrayLike = 0.0
     Raises
     ------
     ValueError
-        If an argument is out of range, or a load is at or past the pole.
+        If an argument is out of range.
+    PastPole
+        If a load is at or past `largest_exact_load`; this is a ValueError too.
 
     Notes
     -----
@@ -145,7 +147,7 @@ def linear_stiffness(shear: ArrayLike, tangency: ArrayLike = 0.0) -> tuple[Array
 def largest_exact_load(shear: ArrayLike) -> Array:
     """Return the first pole of the exact coefficients, p̄ = 4π²/(1 + 4π²Φ) (k = 2π).
 
-    There the clamped–clamped shaft buckles and the flexibility matrix is singular.
+    There a shaft that is clamped at both ends buckles, and the flexibility matrix is singular.
 
     Parameters
     ----------
@@ -161,6 +163,15 @@ def largest_exact_load(shear: ArrayLike) -> Array:
     ------
     ValueError
         If Φ is out of range.
+
+    References
+    ----------
+    Appendix A of the source paper.
+
+    Examples
+    --------
+    >>> float(largest_exact_load(0.0192).round(6))
+    22.456621
     """
     shear = numbers("shear", shear, 0.0, 1.0, open_high=True)
     return np.asarray(_FIRST_POLE / (1 + _FIRST_POLE * shear))
@@ -172,7 +183,7 @@ def second_exact_pole(shear: float) -> float:
 
 
 class PastPole(ValueError):
-    """A load is at or past the pole of the exact stiffness."""
+    """A load is at or past the pole of the exact stiffness, see `largest_exact_load`."""
 
 
 def refuse_poles(load: ArrayLike, shear: ArrayLike, name: str = "`load`") -> None:

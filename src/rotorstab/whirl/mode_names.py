@@ -92,6 +92,13 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     ValueError
         If the system has several spin speeds, or the load is not finite or past the pole of the
         exact stiffness.
+
+    Examples
+    --------
+    >>> from rotorstab import ShaftDisk, lumped
+    >>> system = lumped(ShaftDisk(), 2.0, external_damping=0.01)
+    >>> dict(zip(mode_names(system.size), named_frequencies(system).real.round(4).tolist()))
+    {'2B': -1.7334, '1B': -0.2661, '1F': 1.073, '2F': 4.9265}
     """
     single_speed(system)
     load = number("load", load, -LARGEST, LARGEST)
