@@ -7,5 +7,6 @@ and 6.6, and have no effect outside the server's process. `patching.replace` sto
 part has moved; `versions` warns where a version is beyond the bounds. `plain_serving` chooses the
 patches for plain `panel serve app`; `deploy/setup.py` installs all of them.
 
-`tests/deploy/test_deploy.py` and `test_hardening.py` check each point on a real server.
+`test_deploy.py` and `test_hardening.py` in `tests/deploy` check each point on a real server,
+`test_limits.py` with a clock of its own.
 """

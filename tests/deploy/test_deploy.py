@@ -198,7 +198,7 @@ def test_a_socket_of_a_listed_origin_opens_and_answers(server, origin):
 def test_a_socket_of_another_origin_is_refused(server):
     token = server.token()
     assert server.refusal(token, Origin="http://other.example") == 403
-    # The name that the attacker points at this server: Origin equals Host.
+    # A host name that an attacker points at this server: Origin equals Host.
     same = {"Host": "other.example", "Origin": "http://other.example"}
     assert server.refusal(token, **same) == 421
     same["Sec-Fetch-Site"] = "same-origin"
@@ -303,20 +303,20 @@ def test_places_are_limited_for_pages_and_sockets(small_server):
             assert status == 503
             assert int(headers["Retry-After"]) > 0
             assert "places are taken" in page
-            # neither builds a document: whatever /health is asked for, and HEAD
+            # neither /health nor HEAD builds a document
             assert (await asyncio.to_thread(server.get, "/health?endpoint=/tiny"))[0] == 200
             head = await asyncio.to_thread(functools.partial(server.get, "/tiny", method="HEAD"))
             assert head[0] == 200
 
     run(crowd())
-    # a full class is no error of the server: operators are told to watch those
+    # a full class is no error of the server; operators watch the errors
     metrics = server.get("/metrics")[2]
     assert not re.search(r'rotorstab_errors_total{logger="tornado.access"} [1-9]', metrics)
     assert float(re.search(r"^rotorstab_refused_total (\S+)$", metrics, re.M)[1]) >= 2
 
 
 def test_pages_that_never_connect_shut_nobody_out(small_server):
-    """A monitor that asks for the page once took every place for a minute."""
+    """A monitor that asked for the page once occupied every place for a minute."""
     server = small_server
     origin = f"http://localhost:{server.port}"
     first = server.token()
@@ -326,7 +326,7 @@ def test_pages_that_never_connect_shut_nobody_out(small_server):
 
     async def crowd():
         async with contextlib.AsyncExitStack() as stack:
-            # the first page gave way, and its browser comes all the same
+            # the first page gave way, and its browser connects all the same
             for token in (first, *tokens[1 - LIMIT :]):
                 await stack.enter_async_context(server.connect(token, Origin=origin))
 
@@ -336,7 +336,7 @@ def test_pages_that_never_connect_shut_nobody_out(small_server):
 def test_messages_are_answered_between_two_pages_and_nothing_is_built_for_who_has_left(
     monkeypatch,
 ):
-    """Twenty-five pages that were asked for at once held all messages up until the last."""
+    """Twenty-five pages that were asked for at once delayed all messages until the last page."""
     order = []
 
     async def build(context, session_id, request=None, token=None):
@@ -366,7 +366,7 @@ def test_messages_are_answered_between_two_pages_and_nothing_is_built_for_who_ha
 
 
 def test_a_page_that_never_connects_is_kept_for_a_quarter_of_a_minute(monkeypatch):
-    """And one that was connected for as long as is set: its tab may come back."""
+    """A page that was connected is kept as long as the setting says: its tab may come back."""
 
     async def nothing(self, linger):
         pass
@@ -431,6 +431,6 @@ def test_the_policy_blocks_nothing_that_the_page_needs(server, origin, browser):
     page.get_by_text("rendered here").wait_for(timeout=30_000)
     page.get_by_role("button", name="press").wait_for(timeout=30_000)
     page.close()
-    # what Panel tells of the browser on a page without our template is refused, and no matter
+    # what Panel sends about the browser on a page without our template is refused, without harm
     assert [one for one in complaints if "Unhandled ERROR reply" not in one] == []
     assert hosts - {""} == {f"localhost:{server.port}"}

@@ -1,20 +1,15 @@
-"""What a client can do to a real server: forged messages, foreign hosts, floods, silence, exits."""
+"""What a client can do to a real server: forged messages, foreign hosts, silence, exits."""
 
 import asyncio
-import errno
-import inspect
 import json
 import socket
-import time
-from types import SimpleNamespace
 
 import pytest
 
 from deploy.constants import LONGEST_ADDRESS
-from deploy.patches import connections, limits
+from deploy.patches import limits
 from deploy.patches.hosts import shortened
-from deploy.patches.limits import Bucket
-from tests.testing.serving import START, Server, run
+from tests.testing.serving import Server, run
 from tests.testing.wire import changed, custom, opened
 
 APP = """
@@ -232,32 +227,6 @@ def test_a_failing_callback_tells_no_detail(server):
     assert "a detail of the failure" in server.log.read_text()
 
 
-# Limits.
-
-
-def test_a_bucket_earns_by_its_own_clock():
-    now = [0.0]
-    bucket = Bucket(10, 3, clock=lambda: now[0])
-    assert [bucket.wait() for _ in range(3)] == [0, 0, 0]
-    assert bucket.wait() == pytest.approx(0.1)
-    now[0] = 1000.0
-    assert [bucket.wait() for _ in range(3)] == [0, 0, 0]
-    assert bucket.wait() > 0
-
-
-def test_a_jump_of_the_machines_time_changes_no_limit():
-    for limited in (Bucket, connections.RareWarning, connections.Accepted):
-        assert inspect.signature(limited).parameters["clock"].default is time.monotonic
-
-
-def test_a_drag_at_the_screens_rate_never_waits():
-    now = [0.0]
-    bucket = Bucket(limits.RATE * limits.FRAGMENTS, limits.BURST * limits.FRAGMENTS, lambda: now[0])
-    for _ in range(60 * 60):  # a minute of it, with a size and a range beside every message
-        now[0] += 1 / 60
-        assert bucket.wait(2 * limits.FRAGMENTS) == 0
-
-
 def test_too_many_refused_messages_close_the_socket(server):
     async def talk(wire):
         for number in range(3 * limits.MOST_REFUSED):
@@ -417,175 +386,3 @@ def test_a_client_that_reads_nothing_is_let_go(tmp_path):
         assert "Uncaught exception" not in server.log.read_text()
     finally:
         server.stop()
-
-
-class Sender:
-    """A socket that keeps the thread busy; `limits` counts its seconds."""
-
-
-@pytest.fixture
-def clock(monkeypatch):
-    """Time that only passes where a message works or waits."""
-
-    class Clock:
-        now = worked = 0.0
-
-        async def sleep(self, seconds):
-            self.now += seconds
-
-        def work(self, seconds):
-            async def handle(socket, fragment):
-                self.now += seconds
-                self.worked += seconds
-
-            return handle
-
-    clock = Clock()
-    monkeypatch.setattr(limits, "is_closing", lambda socket: False)
-    monkeypatch.setattr(limits, "active", {})
-    monkeypatch.setattr(limits, "asyncio", SimpleNamespace(sleep=clock.sleep))
-    monkeypatch.setattr(
-        limits,
-        "time",
-        SimpleNamespace(monotonic=lambda: clock.now, thread_time=lambda: clock.worked),
-    )
-    monkeypatch.setattr(limits.Bucket.__init__, "__defaults__", (lambda: clock.now,))
-    return clock
-
-
-def send(clock, socket, seconds, beside=None):
-    """Have a message handled that works so long, to its end: nothing in it waits for real."""
-    if beside is not None:
-        limits.active[beside] = clock.now
-    with pytest.raises(StopIteration):
-        limits.paced(socket, "", handle=clock.work(seconds)).send(None)
-
-
-def test_a_sender_alone_is_never_held_back(clock):
-    sender = Sender()
-    for _ in range(1000):
-        send(clock, sender, 0.2)
-    assert clock.now == pytest.approx(clock.worked)
-
-
-@pytest.mark.parametrize(
-    ("seconds", "share"),
-    [(0.02, limits.SHARE), (0.2, limits.LONG_SHARE), (2.0, limits.LONG_SHARE)],
-)
-def test_a_sender_beside_others_pays_its_whole_debt(clock, monkeypatch, seconds, share):
-    """Once it waited 2 s at most, whatever it owed, and kept four fifths of the thread."""
-    sender, other = Sender(), Sender()
-    monkeypatch.setattr(
-        limits, "others_wait", lambda socket, ask=limits.others_wait: ask(socket) or True
-    )
-    for _ in range(int(600 / seconds)):
-        send(clock, sender, seconds, other)
-    assert clock.worked / clock.now == pytest.approx(share, rel=0.1)
-
-
-def test_a_debt_is_forgiven_once_nobody_else_is_active(clock):
-    sender, other = Sender(), Sender()
-    for _ in range(60):
-        send(clock, sender, 1.0, other)
-        assert clock.now <= clock.worked + 60 * (limits.ACTIVE + limits.LOOK_AGAIN)
-
-
-def test_an_honest_drag_beside_others_is_not_held_back(clock):
-    """Half a minute of moves of 36 ms each, one page in between that takes 0.5 s."""
-    sender, other = Sender(), Sender()
-    send(clock, sender, 0.5, other)
-    before = clock.now
-    while clock.now < before + 27:
-        send(clock, sender, 0.036, other)
-        clock.now += 0.07
-    assert clock.now - before <= 28
-
-
-@pytest.mark.long
-def test_idle_connections_beyond_the_limit_are_closed_and_the_log_stays_short(tmp_path):
-    """With 1,150 of them at 1,024 descriptors a worker once span and wrote 91 MB."""
-    app = tmp_path / "tiny.py"
-    app.write_text("import panel as pn\npn.pane.Markdown('throw-away').servable()\n")
-    server = Server(
-        tmp_path / "log.txt",
-        command=["sh", "-c", f"ulimit -n 200; exec sh '{START}' '{app}'"],
-    )
-    idle = []
-    try:
-        server.wait()
-        before = len(server.log.read_text())
-        for _ in range(300):
-            idle.append(connect(server))
-        time.sleep(1)
-        clients = [one for one in idle if not is_closed(one)]
-        assert 16 <= len(clients) <= 50
-        log = server.log.read_text()[before:]
-        assert log.count("as many as are allowed") == 1
-        assert len(log) < 2000
-        # whoever comes later is served, since the oldest give way; a page's own socket is spared
-        time.sleep(connections.YOUNG)
-
-        async def page():
-            async with opened(server, "/tiny") as wire:
-                await wire.pull()
-                for _ in range(len(clients) + 20):
-                    idle.append(connect(server))
-                return await wire.pull()
-
-        assert run(page())
-        assert server.get("/tiny")[0] == 200
-    finally:
-        while idle:
-            idle.pop().close()
-        server.stop()
-
-
-def connect(server):
-    return socket.create_connection(("127.0.0.1", server.port))
-
-
-def is_closed(connection):
-    """Whether the other side has closed a connection on which nothing was sent."""
-    connection.setblocking(False)
-    try:
-        return connection.recv(1) == b""
-    except BlockingIOError:
-        return False
-    except ConnectionResetError:
-        return True
-
-
-def test_a_system_without_descriptors_is_waited_for_and_named_once(monkeypatch, caplog):
-    """Accepting pauses instead of failing in every turn of the loop."""
-    monkeypatch.setattr(connections, "PAUSE", 0.05)
-    monkeypatch.setattr(connections, "most_connections", 5)
-    taken = []
-
-    class Listener(socket.socket):
-        refusals = 4
-
-        def accept(self):
-            if self.refusals:
-                Listener.refusals -= 1
-                raise OSError(errno.EMFILE, "Too many open files")
-            return super().accept()
-
-    async def go():
-        listener = Listener()
-        listener.bind(("127.0.0.1", 0))
-        listener.listen()
-        listener.setblocking(False)
-        remove = connections.add_accept_handler(listener, lambda *one: taken.append(one))
-        with socket.create_connection(listener.getsockname()), listener:
-            for _ in range(200):
-                await asyncio.sleep(0.01)
-                if taken:
-                    break
-            remove()
-
-    run(go())
-    assert len(taken) == 1
-    taken[0][0].close()
-    assert [one.message for one in caplog.records] == [
-        "the system has no descriptor left: new connections wait"
-    ]

@@ -101,7 +101,7 @@ def test_a_worker_whose_loop_hangs_fails_its_health_and_ends_itself(tiny, how):
 
 
 def test_a_process_that_was_stopped_as_a_whole_does_not_hang():
-    """The watchdog counts its own turns: while nothing ran, it missed nothing."""
+    """The watchdog counts its own turns, and it had none while the process was stopped."""
     ended = []
     watchdog = Watchdog(hang=5, end=ended.append)
     turns = iter([True, True, False, False, True, False])
@@ -195,7 +195,7 @@ def test_a_log_line_is_an_object_or_plain_text(idle, tiny):
     assert "INFO rotorstab.server: serving http://127.0.0.1:" in plain.log.read_text()
 
 
-def test_the_app_is_not_measured_unless_somebody_does():
+def test_the_app_is_measured_only_where_somebody_observes():
     told = []
     observe("update", 0.5)
     observers.append(lambda *what: told.append(what))
@@ -208,7 +208,7 @@ def test_the_app_is_not_measured_unless_somebody_does():
 
 @pytest.fixture(scope="module")
 def real(tmp_path_factory):
-    """The dashboard; a test ends it."""
+    """The dashboard, which a test ends."""
     server = Server(tmp_path_factory.mktemp("real") / "log.txt", ROTORSTAB_DRAIN="60")
     try:
         yield server.wait()
@@ -253,7 +253,7 @@ def test_what_is_counted_of_a_lesson(real):
         assert number(text, "rotorstab_sockets") == 2
         assert number(text, "rotorstab_session_open_seconds_count") == 2
         assert number(text, "rotorstab_update_seconds_count") >= 4
-        # the second student's picture is the first one's
+        # the second student has the picture of the first one from the cache
         assert number(text, 'rotorstab_cache_hits_total{cache="analysis.solve"}') >= 2
         assert number(text, "process_resident_memory_bytes") > 5e7
         assert "rotorstab_errors_total{" not in text
@@ -264,7 +264,7 @@ def test_what_is_counted_of_a_lesson(real):
 
 
 def test_a_running_export_is_finished_before_the_end(real):
-    """The page has its file, then hears that the server restarts; nobody new is let in."""
+    """The page gets its file, then its socket is closed; no new page is served meanwhile."""
 
     async def lesson():
         user = User(real.origin)

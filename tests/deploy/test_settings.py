@@ -1,4 +1,4 @@
-"""Settings: what is allowed, what is told, what a server makes of them before it listens."""
+"""Settings: what is allowed, and the one line with which a wrong setting ends the start."""
 
 import os
 import re
@@ -70,10 +70,10 @@ def test_without_an_environment_the_server_is_for_this_machine_alone():
 def test_a_value_that_nobody_meant_is_refused_in_one_line(name, value, allowed):
     with pytest.raises(SettingError) as refused:
         read({name: value})
-    told = str(refused.value)
-    assert told.startswith(f"{name} must be {allowed}")
-    assert told.endswith(f"got {value[:60]!r}")
-    assert "\n" not in told
+    message = str(refused.value)
+    assert message.startswith(f"{name} must be {allowed}")
+    assert message.endswith(f"got {value[:60]!r}")
+    assert "\n" not in message
 
 
 def test_the_server_ends_with_one_line_before_it_listens():
@@ -82,7 +82,7 @@ def test_the_server_ends_with_one_line_before_it_listens():
     assert lines == ["rotorstab: PORT must be an integer from 1 to 65535, got 'many'"]
 
 
-def test_a_short_secret_is_refused_without_being_told():
+def test_a_short_secret_is_refused_and_not_shown():
     code, lines = start(BOKEH_SECRET_KEY="a-secret")
     assert code == 2
     assert lines == ["rotorstab: BOKEH_SECRET_KEY must be at least 32 characters, got 8"]
@@ -102,7 +102,7 @@ def test_tls_needs_both_files(tmp_path):
     certificate.write_text("")
     with pytest.raises(SettingError, match="set together"):
         read({"ROTORSTAB_TLS_CERTIFICATE": str(certificate)})
-    # a promise of TLS that this server would not keep
+    # HSTS promises TLS, which this server would not offer
     with pytest.raises(SettingError, match="ROTORSTAB_TLS_CERTIFICATE, which is not set"):
         read({"ROTORSTAB_HSTS": "86400"})
 
@@ -135,7 +135,7 @@ def test_a_secret_that_others_can_read_is_refused(tmp_path):
         find_secret(read({"ROTORSTAB_SECRET_FILE": str(path)}), make=True)
 
 
-def test_a_secret_that_cannot_be_kept_is_told(tmp_path):
+def test_a_secret_that_cannot_be_kept_is_refused(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
     with pytest.raises(SettingError, match="set it to another path, or BOKEH_SECRET_KEY"):
@@ -143,7 +143,7 @@ def test_a_secret_that_cannot_be_kept_is_told(tmp_path):
 
 
 def test_make_serve_works_in_a_path_with_a_space(tmp_path):
-    """The start script and the worker, from a folder with a space; ended by a bad app."""
+    """The start script and the worker run from a folder with a space, until they find no app."""
     folder = tmp_path / "a lab"
     folder.mkdir()
     (folder / "deploy").symlink_to(ROOT / "deploy", target_is_directory=True)
@@ -163,7 +163,7 @@ def test_make_serve_works_in_a_path_with_a_space(tmp_path):
     assert done.stderr == f"rotorstab: there is no app at {folder}/no app\n"
 
 
-def test_a_port_in_use_is_told_in_one_line(tmp_path):
+def test_a_port_in_use_is_refused_in_one_line(tmp_path):
     import socket
 
     with socket.socket() as taken:

@@ -1,4 +1,4 @@
-"""Libraries whose inner parts are patched: bounded, and words where one is not what it was."""
+"""The versions of the libraries that are patched are bounded, and a moved part is named."""
 
 import os
 import subprocess
@@ -26,19 +26,19 @@ def test_each_library_that_is_patched_has_a_floor_and_a_ceiling():
         assert "<" in bounds[name].replace(">=", "")
 
 
-def test_a_version_beyond_the_bounds_is_told():
+def test_a_version_beyond_the_bounds_is_named():
     def next_year(name):
         return "99.0"
 
-    words = unknown(REQUIRED, next_year)
-    assert len(words) == len(PATCHED)
-    assert any("panel 99.0 (made for <1.11,>=1.9.0)" in one for one in words)
+    libraries = unknown(REQUIRED, next_year)
+    assert len(libraries) == len(PATCHED)
+    assert "panel 99.0 (made for <1.11,>=1.9.0)" in libraries
     assert unknown(REQUIRED, floor) == []
     assert unknown([], next_year) == []
 
 
 def floor(name):
-    """The lowest version that is allowed."""
+    """Return the lowest version that is allowed."""
     (found,) = (one for one in map(Requirement, REQUIRED) if one.name == name)
     return next(one.version for one in found.specifier if one.operator == ">=")
 
