@@ -16,7 +16,7 @@ from .exports.snippet import python_snippet
 from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
-from .results.growth_maps import Detail
+from .results.limits import Detail
 from .state import State
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
 from .words.refusals import FAILED, told
@@ -48,7 +48,7 @@ class Session:
         self._scheduler = Scheduler()
         self.files = Files(self._scheduler, lambda one: self.controls.tell(one), self.state)
         self.notice = ""
-        self.settling = Settling(self._show_better, self._scheduler)
+        self.settling = Settling(self._show_refined, self._scheduler)
         self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
         self._heard = False
         # what the first paint looks like and keeps room for, so that the first answer moves nothing
@@ -79,7 +79,9 @@ class Session:
         if kind != "settle":
             background.touch(id(self))
             self._shown = None
-        elif self._shown == (self.pages[self.active], False) and not self._detail():
+        elif self._shown == (self.pages[self.active], Detail.COARSE) and (
+            self._detail() is Detail.COARSE
+        ):
             return {"resting": True}  # all else was told; the full picture is being made
         try:
             errors, now = self._act(message, values)
@@ -88,7 +90,7 @@ class Session:
             errors, now = {}, {"told": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
         at_rest = kind != "change"
-        return self.redraw(at_rest) | now | self._described(errors, at_rest)
+        return {**self.redraw(at_rest), **now, **self._described(errors, at_rest)}
 
     def _act(
         self, message: Mapping[str, Any], values: object
@@ -164,7 +166,7 @@ class Session:
         named, refused = self._problems
         self._problems = [*named, *problems], refused
         self._shown = None
-        self._show_better(self._detail())
+        self._show_refined(self._detail())
         self._scheduler.call(self._restore_pin)
 
     def python(self) -> Reply:
@@ -179,7 +181,7 @@ class Session:
         for page in self.pages.values():
             page.reset_view()
 
-    def _show_better(self, detail: Detail) -> None:
+    def _show_refined(self, detail: Detail) -> None:
         """Show what was asked for and is there now: the full map, then its edges.
 
         BokehJS drops what comes while it builds the page: the first message asks for all again.
@@ -199,7 +201,7 @@ class Session:
         if settled:
             return self._redraw(self._detail())
         self.settling.drop()
-        return self._redraw(False)
+        return self._redraw(Detail.COARSE)
 
     def _detail(self) -> Detail:
         """Return how much of the page's picture can be shown, and have the rest made."""

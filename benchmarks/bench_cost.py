@@ -21,6 +21,7 @@ from urllib.parse import unquote_plus
 from app.background import printing, settling, threads
 from app.exports import files
 from app.results.growth_maps import known_detail
+from app.results.limits import Detail
 from app.session import Session
 from app.state import State
 from app.state.address import PINNED, PinnedInputs, to_query
@@ -130,7 +131,7 @@ def _spent(work):
 
 def _detail(self, window):
     """Return what is there, as on a server that has begun to make the rest."""
-    return True if window is None else known_detail(window)
+    return Detail.REFINED if window is None else known_detail(window)
 
 
 def _start(self, reply):

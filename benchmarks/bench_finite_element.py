@@ -20,6 +20,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from app.results.limits import EDGE_CYCLES, LOWEST_EDGE
+from app.results.model import MODES
 from rotorstab import (
     TABLE_1_SI,
     ShaftDisk,
@@ -32,7 +34,7 @@ from rotorstab import (
     lumped,
     whirl_frequencies,
 )
-from rotorstab.maps.window import LOWEST_EDGE, MODES, Model, Window, tongue_outlines
+from rotorstab.maps.tongue_outlines import tongue_outlines
 
 POINTS = 101
 ACCURATE = 6  # coordinates against which growth and edges are measured; all would take hours
@@ -144,17 +146,13 @@ def edge_errors(cases: list[tuple[ShaftDisk, float, float, float]]) -> tuple[np.
     for rotor, spin, tangency, factor in cases:
         buckling = float(critical_load(rotor.shear))
         scale = fundamental_frequency(lumped(rotor, 0.0))
-        model = Model(rotor, "finite elements")
         pieces = tongue_outlines(
-            Window(
-                model,
-                spin,
-                tangency,
-                factor * buckling,
-                LOWEST_EDGE * scale,
-                16 * scale,
-                buckling,
-            )
+            finite_element(rotor, spin, tangency, modes=MODES),
+            factor * buckling,
+            buckling,
+            LOWEST_EDGE * scale,
+            16 * scale,
+            most_cycles=EDGE_CYCLES,
         )
         empty += not pieces
         loads, edges, middles = [], [], []

@@ -11,11 +11,13 @@ import time
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from app.results.limits import Detail
+from app.results.model import Model
+from app.results.window import Window, floquet_map
 from rotorstab import BASE_CASE, critical_load, finite_element, fundamental_frequency, lumped
 from rotorstab.floquet.interpolant.characteristic import self_inversive_multipliers
 from rotorstab.floquet.point import growth_rate
 from rotorstab.maps.stability_map import stability_chart
-from rotorstab.maps.window import Model, Window, floquet_map, whole_map
 from rotorstab.model.modal import state_matrix
 
 QUICK = "--quick" in sys.argv
@@ -79,14 +81,14 @@ def dashboard():
         window = Window(
             Model(BASE_CASE, **options), 2.0, 0.0, 0.5 * LOAD, 0.0, 16 * FREQUENCY, LOAD
         )
-        moving = best(lambda w=window: floquet_map(w, False), 5)
-        settled = best(lambda w=window: floquet_map(w, True), 3)
-        made = whole_map(window)
-        whole = best(lambda w=window: whole_map(w), 3)
+        moving = best(lambda w=window: floquet_map(w, Detail.COARSE), 5)
+        settled = best(lambda w=window: floquet_map(w, Detail.FULL), 3)
+        made = floquet_map(window, Detail.REFINED)
+        refined = best(lambda w=window: floquet_map(w, Detail.REFINED), 3)
         line(f"page, moving: {name}", moving)
         line(f"page, at rest: {name}", settled)
         note = f"{made.growth.refined} pixels refined, {len(made.outlines)} pieces with edges"
-        line(f"page, then: {name}", whole, note)
+        line(f"page, then: {name}", refined, note)
 
 
 def line(what, seconds, note=""):

@@ -7,29 +7,16 @@ another app does without them.
 import gc
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import app
+
+if TYPE_CHECKING:
+    from app.results.caches import CacheInfo
 
 FOLDER = Path(app.__file__).parent
 served = False
 """Whether this process serves the dashboard."""
-
-
-class CacheInfo(Protocol):
-    """The numbers of a cache, as `functools` counts them."""
-
-    @property
-    def hits(self) -> int:
-        """Number of values that were found."""
-
-    @property
-    def misses(self) -> int:
-        """Number of values that were computed."""
-
-    @property
-    def currsize(self) -> int:
-        """Number of values that are held."""
 
 
 def is_dashboard(path: str) -> bool:
@@ -60,19 +47,13 @@ def exports_running() -> int:
     return files.making()
 
 
-def caches() -> Iterator[tuple[str, CacheInfo]]:
+def caches() -> Iterator[tuple[str, "CacheInfo"]]:
     """Yield the name and the numbers of every cache that all sessions share."""
     if not served:
         return
-    from app.lessons import quantities
-    from app.pages import marked_point
-    from app.results import analysis, comparisons, curves, growth_maps
+    from app.results.caches import cache_infos
 
-    for module in (analysis, curves, comparisons, growth_maps, marked_point, quantities):
-        part = module.__name__.rpartition(".")[2]
-        for name, value in vars(module).items():
-            if hasattr(value, "cache_info") and value.__module__ == module.__name__:
-                yield f"{part}.{name.lstrip('_')}", value.cache_info()
+    yield from cache_infos()
 
 
 def close() -> None:

@@ -51,11 +51,12 @@ class _Job:
 
     def end(self, made: Future[Any]) -> None:
         def data() -> bytes:
-            found = made.result()
             if self.kind in _TABLES:
+                text: str = made.result()
                 # Excel reads UTF-8 only behind a byte order mark
-                return found.encode("utf-8-sig" if self.kind == "csv" else "utf-8")
-            return found[self.kind]
+                return text.encode("utf-8-sig" if self.kind == "csv" else "utf-8")
+            files: dict[str, bytes] = made.result()
+            return files[self.kind]
 
         settle(self.future, data)
 

@@ -65,7 +65,8 @@ class _Spawn(SpawnContext):
         super().__init__()
         self.started: list[SpawnProcess] = []
 
-    def Process(self, *args: Any, **kwargs: Any) -> SpawnProcess:
+    def Process(self, *args: Any, **kwargs: Any) -> SpawnProcess:  # type: ignore[override]
+        """Make a process as the class of this name does."""
         self.started.append(SpawnProcess(*args, **kwargs))
         return self.started[-1]
 
@@ -187,6 +188,11 @@ class Background:
                 return
             del self._works[key]
         work.future.cancel()
+
+    def pending(self) -> int:
+        """Return the number of calls that are being made or wait for their turn."""
+        with self._lock:
+            return len(self._works)
 
     def _serve(self) -> None:
         """Make what was asked for, first come, first served, until nothing is left."""

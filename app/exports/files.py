@@ -16,13 +16,12 @@ from functools import partial
 from typing import Any
 
 from rotorstab.charts import chart_figure
-from rotorstab.paper import FIGURES
 
 from ..background.printing import FORMATS, MIME, gather, printer
 from ..background.processes import background
 from ..background.threads import Scheduler
 from ..pages.base import Need, Page, Reply
-from ..pages.paper import figure_need
+from ..pages.paper import figure_need, is_figure
 from ..results.analysis import CHARTS, solve
 from ..results.comparisons import paper_figure
 from ..state import State
@@ -150,7 +149,7 @@ def export(page: Page, state: State, message: Mapping[str, Any]) -> Reply:
         return Reply({"told": "no such file format"})
     if isinstance(chart, str) and chart in page.charts:
         return _export_chart(page, state, chart, str(kind))
-    if isinstance(number, int) and not isinstance(number, bool) and number in FIGURES:
+    if is_figure(number):
         return _export_figure(state, number, message.get("floquet") is True, str(kind))
     return Reply({"told": "no such chart"})
 

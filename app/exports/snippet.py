@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 
-from rotorstab.maps.window import ELEMENTS, MODES, PIXELS, map_options
 from rotorstab.model.stiffness import largest_exact_load
 
 from ..pages.marked_point import inspect
-from ..results.analysis import BOUNDARY_ROWS, Result, model_of, solve
+from ..results.analysis import BOUNDARY_ROWS, Result, solve
 from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_kinds
+from ..results.limits import Detail, map_size
+from ..results.model import ELEMENTS, MODES, model_of
+from ..results.window import chart_options
 from ..state import State
 
 __all__ = ["python_snippet"]
@@ -129,11 +131,12 @@ def python_snippet(state: State) -> str:
     ValueError
         With words for the page, where these inputs have no answer.
     """
-    result = solve(state, settled=False)  # the map of growth is not needed here
+    result = solve(state, Detail.COARSE)  # the map of growth is not needed here
     in_si = state.units == "SI" and state.shaft_in_use()
-    rows, columns, _ = PIXELS[state.model, True]
-    options = _arguments(**map_options(model_of(state), settled=True))
-    damped = bool(state.external_damping or state.internal_damping)
+    model = model_of(state)
+    rows, columns, _ = map_size(model.kind, Detail.REFINED)
+    options = _arguments(**chart_options(model, Detail.REFINED))
+    damped = model.is_damped
     tangency = state.effective_tangency()
     names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_load", "critical_speeds"}
     names |= {"fundamental_frequency", "load_frequency_curves", "lumped", "resonances"}

@@ -35,7 +35,10 @@ def main(arguments: list[str]) -> int:
             problems += bad
         else:
             found = read_file(path)
-            (lessons if isinstance(found, Lesson) else problems).append(found)  # type: ignore[arg-type]
+            if isinstance(found, Lesson):
+                lessons.append(found)
+            else:
+                problems.append(found)
     for lesson in lessons:
         _report(lesson)
     for problem in problems:

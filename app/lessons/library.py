@@ -68,12 +68,16 @@ def read_folder(folder: Path) -> tuple[list[Lesson], list[Problem]]:
         files = sorted(path for path in folder.iterdir() if path.suffix == ".md")
     except OSError as error:
         return [], [Problem(str(folder), 1, f"cannot be read: {error.strerror}")]
-    lessons, problems = [], []
+    lessons: list[Lesson] = []
+    problems: list[Problem] = []
     for path in files[:_MOST_FILES]:
         if path.stem.lower() == "readme":
             continue
         found = read_file(path)
-        (lessons if isinstance(found, Lesson) else problems).append(found)  # type: ignore[arg-type]
+        if isinstance(found, Lesson):
+            lessons.append(found)
+        else:
+            problems.append(found)
     if len(files) > _MOST_FILES:
         problems.append(Problem(str(folder), 1, f"only the first {_MOST_FILES} files are read"))
     return lessons, problems

@@ -55,9 +55,9 @@ def tokens(text: str) -> list[Token]:
 
 def render(blocks: Sequence[Token]) -> str:
     """Return the HTML of some blocks."""
-    return _MARKDOWN.renderer.render(blocks, _MARKDOWN.options, {})
+    return str(_MARKDOWN.renderer.render(blocks, _MARKDOWN.options, {}))
 
 
 def inline(text: str) -> str:
     """Return the HTML of one line."""
-    return _MARKDOWN.renderInline(text)
+    return str(_MARKDOWN.renderInline(text))

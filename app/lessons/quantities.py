@@ -6,13 +6,14 @@ import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from rotorstab import in_bolotin_region
 
+from ..results.caches import shared_cache
 from ..results.curves import flutter
 from ..state import State
 from .situation import Situation
@@ -243,12 +244,12 @@ def find(name: str) -> tuple[Quantity, tuple[str, ...]] | None:
     return None
 
 
-@lru_cache(maxsize=64)
+@shared_cache(64)
 def _situation(items: tuple[tuple[str, Any], ...], load: float | None) -> Situation:
     return Situation(dict(items), load)
 
 
-@lru_cache(maxsize=512)
+@shared_cache(512)
 def _evaluate(name: str, items: tuple[tuple[str, Any], ...], load: float | None) -> float:
     found = find(name)
     if found is None:

@@ -25,8 +25,8 @@ from rotorstab import (
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
-from ..results.analysis import Model
 from ..results.curves import reference_load
+from ..results.model import model_of
 from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]
@@ -43,9 +43,7 @@ class Situation:
         self.rotor = state.rotor()
         self.spin = state.spin_speed
         self.tangency = state.effective_tangency()
-        self.model = Model(
-            self.rotor, state.model, state.law, state.external_damping, state.internal_damping
-        )
+        self.model = model_of(state)
         self._factor = state.static_load_factor
         self._given_load = load
         self._reference = state.reference

@@ -6,7 +6,6 @@ HoloViews needs seconds of the server's one thread for a page, a copy a fraction
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
 from typing import Any
 
 import holoviews as hv
@@ -15,6 +14,7 @@ from bokeh.core.serialization import Deserializer, Serializer
 from rotorstab.charts import Chart
 from rotorstab.drawing import screen
 
+from ..results.caches import shared_cache
 from .overlay import COMING_AND_GOING
 
 __all__ = ["Drawing", "draw"]
@@ -51,7 +51,7 @@ class _Kind:
     chart: Chart = field(compare=False)
 
 
-@lru_cache(maxsize=64)
+@shared_cache(64)
 def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
     """Return a figure in Bokeh's serial form, which layers have colours, and what was drawn."""
     layers = kind.chart.layers

@@ -12,10 +12,11 @@ from typing import Any, ClassVar
 import panel as pn
 
 from rotorstab.charts import Chart
-from rotorstab.maps.window import Window, whole_map
 
 from ..live.chart import LiveChart
-from ..results.growth_maps import Detail, keep
+from ..results.growth_maps import keep
+from ..results.limits import Detail
+from ..results.window import Window, floquet_map
 from ..state import State
 from ..state.address import PinnedInputs
 
@@ -85,11 +86,11 @@ class Page:
         """Return the page's Panel roots by the name its layout uses."""
         return {f"{self.key}_{key}".replace("-", "_"): one for key, one in self._places.items()}
 
-    def compute(self, state: State, settled: Detail = True) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the page's charts for the present inputs, coarser while they move."""
         raise NotImplementedError
 
-    def answer(self, state: State, settled: Detail = True) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return what else the browser needs, as plain values."""
         return {}
 
@@ -102,7 +103,8 @@ class Page:
         window = self.awaited(state)
         if window is None:
             return None
-        return Need(whole_map, (window,), partial(keep, window, whole=True))
+        wanted = window, Detail.REFINED
+        return Need(floquet_map, wanted, partial(keep, *wanted))
 
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells the charts from others of the same inputs; all of it can be hashed."""
@@ -135,9 +137,9 @@ class Page:
         """Return which layers are shown or hidden by choice."""
         return {}
 
-    def show(self, state: State, settled: Detail = True) -> None:
+    def show(self, state: State, detail: Detail = Detail.REFINED) -> None:
         """Build the charts on the first call, patch them on every later one."""
-        for key, chart in self.compute(state, settled).items():
+        for key, chart in self.compute(state, detail).items():
             if key in self.charts:
                 self.charts[key].show(chart)
             else:

@@ -10,12 +10,13 @@ from typing import Any
 from bokeh.models import CustomJS
 
 from rotorstab.charts import Chart
-from rotorstab.maps.window import Window
 
 from ..live.chart import LiveChart
 from ..results.analysis import CHARTS, Result, solve, window_of
 from ..results.curves import load_kinds
-from ..results.growth_maps import Detail, known_detail
+from ..results.growth_maps import known_detail
+from ..results.limits import Detail
+from ..results.window import Window
 from ..state import SYMBOLS, State
 from ..state.address import MOST_PINS, PinnedInputs
 from ..state.rotor_file import read_rotor_file, write_rotor_file
@@ -53,12 +54,12 @@ class Explore(Page):
             text = text.replace(f"<!-- {name} -->", part)
         return text
 
-    def compute(self, state: State, settled: Detail = True) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the three charts, and the inspector's where a point is marked.
 
         The map of growth is coarser while sliders move.
         """
-        result = solve(state, settled)
+        result = solve(state, detail)
         charts = marked(result.charts, state, result) if state.marker else result.charts
         charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
         if state.marker and not self.opening:
@@ -73,7 +74,7 @@ class Explore(Page):
             window = window_of(state)
         except ValueError:  # `compute` says it in words
             return None
-        return None if known_detail(window) is True else window
+        return None if known_detail(window) is Detail.REFINED else window
 
     def stamp(self) -> tuple[Any, ...]:
         """Return what tells these charts from others of the same inputs."""
@@ -173,9 +174,9 @@ class Explore(Page):
         """Return what the shaft in SI gives, for the sidebar, which every page has."""
         return {"shaft": shaft_words(state)}
 
-    def answer(self, state: State, settled: Detail = True) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
-        result = solve(state, settled)
+        result = solve(state, detail)
         answer = {
             "numbers": result.numbers,
             "verdict": verdict(
@@ -184,7 +185,7 @@ class Explore(Page):
                 state.show_bolotin or state.show_disagreement,
             ),
             "verdict_room": verdict_room(result.floquet, shown_scales(state)),
-            "settled": settled is True,
+            "settled": detail is Detail.REFINED,
             "curves": [
                 name
                 for name, *_ in load_kinds(state.model, state.effective_tangency(), state.stiffness)
@@ -199,6 +200,6 @@ class Explore(Page):
                 answer["inspector"] = {"sentence": found, "facts": []}
             else:
                 # the animation waits for rest: it needs no message a frame
-                moving = {} if not settled else {"motion": found.motion}
+                moving = {} if detail is Detail.COARSE else {"motion": found.motion}
                 answer["inspector"] = {"sentence": found.sentence, "facts": found.facts} | moving
         return answer

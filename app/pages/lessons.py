@@ -15,6 +15,7 @@ from ..lessons.grading import number_text, told
 from ..lessons.markdown import plain
 from ..lessons.quantities import evaluate, find
 from ..live.controls import field
+from ..results.limits import Detail
 from ..state import SYMBOLS, State
 from .base import Page, Reply
 
@@ -117,7 +118,7 @@ class Lessons(Page):
         self._running: tuple[Lesson, int] | None = None
         self._before: dict[str, Any] = {}  # the inputs that a lesson's end brings back
 
-    def compute(self, state: State, settled: bool = True) -> dict[str, Any]:
+    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return no charts of its own."""
         return {}
 

@@ -6,7 +6,6 @@ import math
 from base64 import b64encode
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
@@ -36,7 +35,10 @@ from rotorstab.floquet.kicks import harmonic_count
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 from rotorstab.model.stiffness import largest_exact_load
 
-from ..results.analysis import Model, Result, model_of
+from ..results import limits
+from ..results.analysis import Result
+from ..results.caches import shared_cache
+from ..results.model import Model, model_of
 from ..state import State
 from ..words.point import Pair, describe
 from ..words.si import load_in, shown_scales
@@ -44,12 +46,7 @@ from ..words.si import load_in, shown_scales
 __all__ = ["INSPECTOR_CHARTS", "Inspection", "inspect", "marked"]
 
 INSPECTOR_CHARTS = ("response", "multipliers", "orbit")
-_ROWS = 6000  # most samples of one response; more would only slow the page
 _SAMPLES = (24, 600)  # a period
-_MOST_CYCLES = 1000  # of the whirl in a period; more would hold up other users
-# steps of one period: 0.1 s of work for the multipliers, as much for the motion
-_MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
-_EXACT_STEPS, _HARMONICS = 2400, 40  # of the exact law; it costs twice as much with 40 harmonics
 _RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6  # of ln|μ| and of one sample: above, nothing is shown
 _PER_CYCLE = 14  # samples in one cycle of the fastest whirl
 _STEPS_PER_SAMPLE = 5  # at least
@@ -185,7 +182,7 @@ def _pace_of(motion: TimeResponse) -> float:
     return float(np.abs(turned) @ weights / total / (motion.time[1] - motion.time[0]))
 
 
-@lru_cache(maxsize=64)
+@shared_cache(64)
 def _respond(
     model: Model,
     spin_speed: float,
@@ -200,10 +197,10 @@ def _respond(
     static, pulsating = loads
     kind, seed = start
     fastest = _fastest(model, spin_speed, tangency, static)
-    if fastest > _MOST_CYCLES * excitation:
+    if fastest > limits.MOST_CYCLES * excitation:
         raise ValueError(
             f"The whirl makes {fastest / excitation:.0f} cycles in one period of this load, "
-            f"more than can be followed ({_MOST_CYCLES}): move the marker to a higher θ/ωₙ."
+            f"more than can be followed ({limits.MOST_CYCLES}): move the marker to a higher θ/ωₙ."
         )
     initial = initial_conditions(system, static, kind.replace(" ", ":"), seed)
     steps = _most_steps(model, system, loads)
@@ -213,7 +210,7 @@ def _respond(
         raise ValueError(_TOO_SLOW)
     samples = int(np.clip(_PER_CYCLE * fastest / excitation, *_SAMPLES))
     samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
-    periods = max(1, min(periods, _ROWS // samples))
+    periods = max(1, min(periods, limits.MOST_SAMPLES // samples))
     try:
         motion = time_response(
             system, static, pulsating, excitation, initial, periods, samples, most_steps=steps
@@ -229,12 +226,15 @@ def _respond(
 def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:
     """Return how many steps of a period the server's one thread has time for."""
     if system.is_linear:
-        return _MOST_STEPS[model.kind]
+        return limits.MOST_STEPS[model.kind]
     static, pulsating = (np.array([load]) for load in loads)
-    return int(_EXACT_STEPS / (1 + harmonic_count(system, (static, pulsating)) / _HARMONICS))
+    return int(
+        limits.EXACT_STEPS
+        / (1 + harmonic_count(system, (static, pulsating)) / limits.EXACT_HARMONICS)
+    )
 
 
-@lru_cache(maxsize=64)
+@shared_cache(64)
 def _fastest(model: Model, spin_speed: float, tangency: float, static: float) -> float:
     """Return the largest whirl frequency of the first two modes each way."""
     values = whirl_frequencies(model.system(spin_speed, tangency), static).real

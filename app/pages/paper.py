@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
-from typing import Any
+from typing import Any, TypeGuard
 
 from rotorstab import paper
 from rotorstab.charts.numbers import written
@@ -12,10 +12,11 @@ from rotorstab.paper import FIGURES, FLOQUET_FIGURES, Figure, table_1
 
 from ..background.printing import printer
 from ..results.comparisons import figure_known, keep_figure, paper_figure
+from ..results.limits import Detail
 from ..state import PRESETS, SYMBOLS, State
 from .base import Need, Page, Reply
 
-__all__ = ["Paper", "figure_need"]
+__all__ = ["Paper", "figure_need", "is_figure"]
 
 _FIELDS = ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
 
@@ -37,13 +38,15 @@ def _settings(figure: Figure) -> list[dict[str, Any]]:
             {"label": f"({panel.letter}) {panel.title}", "page": "explore", "values": PRESETS[name]}
             for panel, name in zip(figure.panels, presets, strict=True)
         ]
+    speeds = given["spin_speeds"]
+    assert isinstance(speeds, list)  # one for each panel
     return [
         {
             "label": f"({panel.letter}) {panel.title}",
             "page": "explore",
             "values": {**common, "spin_speed": speed},
         }
-        for panel, speed in zip(figure.panels, given["spin_speeds"], strict=True)
+        for panel, speed in zip(figure.panels, speeds, strict=True)
     ]
 
 
@@ -92,6 +95,11 @@ def describe_table() -> list[list[str]]:
     ]
 
 
+def is_figure(number: object) -> TypeGuard[int]:
+    """Whether a value from the browser is the number of a figure."""
+    return isinstance(number, int) and not isinstance(number, bool) and number in FIGURES
+
+
 NOT_DRAWN = {"not_drawn": "This figure could not be drawn. Choose it once more."}
 
 
@@ -108,15 +116,14 @@ class Paper(Page):
     key = "paper"
     title = "Paper"
 
-    def compute(self, state: State, settled: bool = True) -> dict[str, Any]:
+    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return no live charts: the figures are pictures."""
         return {}
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a request for a figure with its words at once and its picture when made."""
         number = message.get("number")
-        known = isinstance(number, int) and not isinstance(number, bool) and number in FIGURES
-        if message.get("type") != "figure" or not known:
+        if message.get("type") != "figure" or not is_figure(number):
             return Reply()
         floquet = message.get("floquet") is True and number in FLOQUET_FIGURES
 

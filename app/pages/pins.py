@@ -14,6 +14,7 @@ from rotorstab.charts import Chart, Layer, load_unit, written
 
 from ..results.analysis import Result, solve, window_of
 from ..results.growth_maps import known_detail
+from ..results.limits import Detail
 from ..state import SI_INPUTS, SYMBOLS, State
 from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
 from ..words.si import chart_in_si, key_numbers, quantities_in_si, shown_scales
@@ -49,7 +50,7 @@ class Pin(PinnedInputs):
     settled: bool
 
 
-def pin(state: State, name: Any, pins: Sequence[Pin]) -> Pin | None:
+def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
     """Return a pin of the present state, or None where all places are taken."""
     free = [n for n in range(1, MOST_PINS + 1) if n not in {one.number for one in pins}]
     if not free:
@@ -69,8 +70,9 @@ def solved(one: PinnedInputs) -> Pin:
     """
     state = State(**one.inputs)
     # no curve of a pin is of the growth map, so nobody waits for a fine one
-    settled = known_detail(window_of(state)) is True
-    return Pin(one.name, one.number, one.inputs, solve(state, settled), state.scales(), settled)
+    settled = known_detail(window_of(state)) is Detail.REFINED
+    result = solve(state, Detail.REFINED if settled else Detail.COARSE)
+    return Pin(one.name, one.number, one.inputs, result, state.scales(), settled)
 
 
 def ghosted(

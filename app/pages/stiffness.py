@@ -9,6 +9,7 @@ import numpy as np
 from rotorstab.charts import Chart
 
 from ..results.comparisons import error_table, stiffness_comparison
+from ..results.limits import Detail
 from ..state import State
 from .base import Page
 
@@ -22,11 +23,11 @@ class Stiffness(Page):
     title = "Stiffness"
     chart_keys = ("k11", "k12", "k21", "k22", "errors")
 
-    def compute(self, state: State, settled: bool = True) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the five charts."""
         return stiffness_comparison(state.shear, state.effective_tangency())
 
-    def answer(self, state: State, settled: bool = True) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return the table of loads at which an error level is reached; null where none is."""
         rows = [
             [value if np.isfinite(value) else None for value in row]

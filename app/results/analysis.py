@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -23,18 +22,19 @@ from rotorstab.charts import (
     load_frequency_chart,
 )
 from rotorstab.maps.stability_map import StabilityChart
-from rotorstab.maps.window import Model, Window
 
 from ..state import State
+from .caches import shared_cache
 from .curves import campbell, flutter, load_curves, reference_load, rotor_numbers, whirl_numbers
-from .growth_maps import Detail, known_map
+from .growth_maps import known_map
+from .limits import Detail
+from .model import Model, model_of
+from .window import Window
 
 __all__ = [
     "CHARTS",
     "FloquetAnswer",
-    "Model",
     "Result",
-    "model_of",
     "solve",
     "window_of",
 ]
@@ -60,8 +60,8 @@ class FloquetAnswer:
         Shares of the computed part of the chart, NaN where nothing is.
     unstable_from : float
         Lowest β_d of an unstable pixel, inf where there is none.
-    settled : bool
-        False for a coarse map, on which thin tongues have no true area.
+    detail : Detail
+        Of the growth map: on a coarse one thin tongues have no true area.
     followed_from : float
         θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
     ends_at : float
@@ -80,7 +80,7 @@ class FloquetAnswer:
     bolotin_share: float
     both_share: float
     unstable_from: float = math.inf
-    settled: bool = True
+    detail: Detail = Detail.REFINED
     followed_from: float = 0.0
     ends_at: float = math.inf
     unknown_share: float = 0.0
@@ -167,8 +167,8 @@ def _window(inputs: Mapping[str, Any]) -> Window:
     )
 
 
-@lru_cache(maxsize=128)
-def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
+@shared_cache(128)
+def _solve(items: tuple[tuple[str, Any], ...], detail: Detail) -> Result:
     inputs = dict(items)
     model: Model = inputs["model"]
     rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
@@ -180,7 +180,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
     plain = model.undamped().system(spin, tangency)
     ends_at = (system.largest_load - static) / reference
     flutter_now = flutter(rotor, spin)
-    made = known_map(_window(inputs), settled)
+    made = known_map(_window(inputs), detail)
     growth, mask = made.growth, made.mask
     grid = GrowthGrid(
         growth.growth,
@@ -227,7 +227,7 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
             fundamental_frequency=frequency,
             reference_load=reference,
             **_shares(growth, mask, reference),
-            settled=bool(settled),
+            detail=detail,
             followed_from=_followed_from(growth, frequency),
             ends_at=ends_at if ends_at < top else math.inf,
             unknown_share=_unknown_share(growth),
@@ -238,13 +238,6 @@ def _solve(items: tuple[tuple[str, Any], ...], settled: Detail) -> Result:
                 for row in table.tongues
             ),
         ),
-    )
-
-
-def model_of(state: State) -> Model:
-    """Return the model of the present inputs."""
-    return Model(
-        state.rotor(), state.model, state.law, state.external_damping, state.internal_damping
     )
 
 
@@ -274,18 +267,18 @@ def window_of(state: State) -> Window:
     return _window(_drawn(state))
 
 
-def solve(state: State, settled: Detail = True) -> Result:
+def solve(state: State, detail: Detail = Detail.REFINED) -> Result:
     """Return the charts and key numbers of the state's present inputs.
 
     Parameters
     ----------
     state : State
-    settled : bool or "map"
-        False while sliders move: the growth map is coarser. "map": the full one without edges.
+    detail : Detail
+        Of the growth map; coarse while sliders move.
 
     Raises
     ------
     ValueError
         With words for the page, where these inputs have no answer.
     """
-    return _solve(tuple(_drawn(state).items()), settled)
+    return _solve(tuple(_drawn(state).items()), detail)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 import numpy as np
 
@@ -18,11 +17,12 @@ from rotorstab import (
     load_frequency_curves,
     lumped,
 )
-from rotorstab.maps.window import Model
 from rotorstab.model.stiffness import largest_exact_load
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
 from ..state import State
+from .caches import shared_cache
+from .model import Model
 
 __all__ = [
     "LARGEST_SPEED",
@@ -42,7 +42,7 @@ SPEEDS = 200
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
-@lru_cache(maxsize=256)
+@shared_cache(256)
 def rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
     """Return p̄_cr, ω_n and the follower flutter load, all of the resting rotor."""
     buckling = float(critical_load(rotor.shear))
@@ -69,7 +69,7 @@ def reference_load(rotor: ShaftDisk, reference: str) -> float:
     return flutter_at_rest
 
 
-@lru_cache(maxsize=256)
+@shared_cache(256)
 def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
     """Return the follower flutter load [EI/L²] at a spin speed, lumped and linear.
 
@@ -105,7 +105,7 @@ def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, fl
     ]
 
 
-@lru_cache(maxsize=128)
+@shared_cache(128)
 def load_curves(
     model: Model, spin_speed: float, tangency: float, stiffness: str
 ) -> dict[str, WhirlCurves]:
@@ -117,7 +117,7 @@ def load_curves(
     }
 
 
-@lru_cache(maxsize=128)
+@shared_cache(128)
 def campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
     """Return whirl over spin speed at a steady load [EI/L²]."""
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)

@@ -1,58 +1,38 @@
-"""Growth maps that are kept for all sessions, whoever made them."""
+"""Growth maps that are kept for all sessions, whichever process made them."""
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from functools import lru_cache
-from threading import Lock
-from typing import Literal
+from .caches import Store
+from .limits import Detail
+from .window import FloquetMap, Window, floquet_map
 
-from rotorstab.maps.window import FloquetMap, Window, floquet_map, whole_map
-
-__all__ = ["Detail", "keep", "known_detail", "known_map"]
-
-Detail = Literal[False, "map", True]
-"""How fine a picture is: a coarse growth map, the full one, that with doubtful pixels refined and
-exact edges."""
+__all__ = ["clear", "keep", "known_detail", "known_map"]
 
 MOST_KEPT = 48
 
-_full: OrderedDict[Window, FloquetMap] = OrderedDict()
-_whole: OrderedDict[Window, FloquetMap] = OrderedDict()
-_lock = Lock()  # of both: what another process has made is kept by a thread of its own
-
-
-@lru_cache(maxsize=MOST_KEPT)
-def _moving_map(window: Window) -> FloquetMap:
-    return floquet_map(window, settled=False)
+_maps: dict[Detail, Store[Window, FloquetMap]] = {
+    detail: Store(f"growth_maps.{detail.name.lower()}", MOST_KEPT) for detail in Detail
+}
 
 
 def known_detail(window: Window) -> Detail:
-    """Return how much of a window is there already."""
-    with _lock:
-        if window in _whole:
-            return True
-        return "map" if window in _full else False
+    """Return the finest map of a window that is kept; a coarse one takes no time to speak of."""
+    if window in _maps[Detail.REFINED]:
+        return Detail.REFINED
+    return Detail.FULL if window in _maps[Detail.FULL] else Detail.COARSE
 
 
-def keep(window: Window, made: FloquetMap, whole: bool) -> None:
-    """Keep a full or a whole map, also one that another process has made."""
-    store = _whole if whole else _full
-    with _lock:
-        store[window] = made
-        store.move_to_end(window)
-        while len(store) > MOST_KEPT:
-            store.popitem(last=False)
+def keep(window: Window, detail: Detail, made: FloquetMap) -> None:
+    """Keep a map, also one that another process has made."""
+    _maps[detail].keep(window, made)
 
 
 def known_map(window: Window, detail: Detail) -> FloquetMap:
     """Return a map that is kept, or make and keep it."""
-    if not detail:
-        return _moving_map(window)
-    whole = detail is True
-    store = _whole if whole else _full
-    with _lock:
-        known = store.get(window)
-    made = known or (whole_map(window) if whole else floquet_map(window, True))
-    keep(window, made, whole)
-    return made
+    return _maps[detail].get(window, lambda: floquet_map(window, detail))
+
+
+def clear() -> None:
+    """Forget every map."""
+    for store in _maps.values():
+        store.clear()

@@ -37,7 +37,7 @@ class State(Inputs):
 
     def effective_tangency(self) -> float:
         """Return μ of the chosen load type."""
-        return {"axial": 0.0, "follower": 1.0}.get(self.load_type, self.tangency)
+        return {"axial": 0.0, "follower": 1.0}.get(self.load_type, float(self.tangency))
 
     def reset(self) -> None:
         """Return every input to its default."""

@@ -9,6 +9,7 @@ from rotorstab.charts import written
 from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
 
 from ..results.analysis import FloquetAnswer
+from ..results.limits import Detail
 from .si import load_words
 
 __all__ = ["verdict", "verdict_room"]
@@ -94,7 +95,7 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     if math.isnan(true):
         return ""
-    if not answer.settled:
+    if answer.detail is Detail.COARSE:
         return " Shares of the window and the slowest loads follow once the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
     if answer.table.mean_growth > _GROWS:
@@ -165,7 +166,7 @@ def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:
 
 
 def _end(answer: FloquetAnswer) -> str:
-    return _blank(answer) if answer.settled else ""
+    return "" if answer.detail is Detail.COARSE else _blank(answer)
 
 
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:

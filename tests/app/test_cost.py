@@ -6,13 +6,14 @@
 import numpy as np
 import pytest
 
-from app.results import analysis
+from app.results import analysis, limits, window
+from app.results.limits import Detail
 from app.state import State
 from app.state.address import from_arguments
 from rotorstab import ShaftDisk, lumped
 from rotorstab.floquet.interpolant.sampling import NodeSampler
-from rotorstab.maps import window
-from rotorstab.model import harmonics, stiffness, system
+from rotorstab.model import harmonics, stiffness
+from rotorstab.model import system as system_module
 from rotorstab.model.stiffness import largest_exact_load
 
 # took 20 s and 4.7 GB: the harmonics of 1,300 loads at 4,096 points each
@@ -47,7 +48,7 @@ def evaluations(monkeypatch):
         sizes.append(np.size(load))
         return exact(load, *others)
 
-    for module in (stiffness, system, harmonics):
+    for module in (stiffness, system_module, harmonics):
         monkeypatch.setattr(module, "exact_stiffness", count)
     return sizes
 
@@ -68,15 +69,15 @@ def work(monkeypatch):
 
 @pytest.mark.parametrize("query", [HARMONICS, *STEPS])
 def test_a_picture_takes_a_bounded_amount_of_work(query, evaluations, work):
-    analysis.solve(state_of(query), settled=False)
+    analysis.solve(state_of(query), detail=Detail.COARSE)
     assert 0 < sum(evaluations) <= MOST_EVALUATIONS
     assert max(evaluations) <= MOST_TOGETHER
-    assert 0 < sum(work) <= window.MOST_NODES[False]
+    assert 0 < sum(work) <= limits.MOST_NODES[Detail.COARSE]
 
 
 def test_the_work_of_a_full_map_is_bounded_too(work):
-    window.floquet_map(analysis.window_of(state_of(STEPS[0])), settled=True)
-    assert 0 < sum(work) <= window.MOST_NODES[True]
+    window.floquet_map(analysis.window_of(state_of(STEPS[0])), Detail.FULL)
+    assert 0 < sum(work) <= limits.MOST_NODES[Detail.FULL]
 
 
 def test_harmonics_of_many_loads_are_made_in_batches(evaluations):

@@ -9,6 +9,7 @@ import pytest
 
 from app.pages.marked_point import INSPECTOR_CHARTS, _pace_of, inspect
 from app.results.analysis import CHARTS, solve
+from app.results.limits import Detail
 from app.session import Session
 from app.state import State
 from app.state.address import from_arguments, to_query
@@ -372,7 +373,7 @@ def test_no_point_costs_more_than_a_bounded_number_of_steps(monkeypatch, values)
 
     state = State()
     assert state.change(values | {"marker": True}) == {}
-    result = solve(state, settled=False)
+    result = solve(state, detail=Detail.COARSE)
     monkeypatch.setattr(splitting, "segment_propagators", counted)
     monkeypatch.setattr(response, "segment_propagators", counted)
     try:
@@ -392,7 +393,7 @@ def test_the_usual_points_are_all_shown():
     for values in ({}, {"law": "exact"}, {"model": "finite elements"}, {"external_damping": 0.05}):
         state = State()
         state.change(values | {"marker": True, "marker_frequency": 0.3})
-        assert inspect(state, solve(state, settled=False)).sentence
+        assert inspect(state, solve(state, detail=Detail.COARSE)).sentence
 
 
 def test_the_pace_of_a_motion_near_the_end_of_double_precision():

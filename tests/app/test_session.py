@@ -12,12 +12,13 @@ from bokeh.models import HoverTool
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import app.results.analysis
 from app.live.chart import _same
 from app.live.controls import GROUPS, Controls
 from app.live.drawing import _drawn
 from app.pages import PAGES, explore
 from app.results.analysis import CHARTS, solve
+from app.results.caches import cache_infos
+from app.results.limits import Detail
 from app.session import Session
 from app.state import PRESETS, State
 from app.words.si import displayed
@@ -134,11 +135,11 @@ def picture(session):
     }
 
 
-def expected(settled=True, **values):
+def expected(detail=Detail.REFINED, **values):
     """What the figures must show for these inputs, straight from the solver."""
     state = State()
     assert state.change(values) == {}
-    result = solve(state, settled)
+    result = solve(state, detail)
     return {
         key: (
             shown({layer.label: screen.columns(layer) for layer in chart.layers}),
@@ -166,8 +167,8 @@ def test_each_input_moves_its_charts_to_what_the_solver_returns(session, name):
     value, moved = MOVES[name]
     before = picture(session)
     answer = change(session, **{name: value})
-    assert differing(picture(session), expected(settled=False, **{name: value})) == []
-    assert picture(session) == expected(settled=False, **{name: value})
+    assert differing(picture(session), expected(detail=Detail.COARSE, **{name: value})) == []
+    assert picture(session) == expected(detail=Detail.COARSE, **{name: value})
     assert answer["values"][name] == value
     assert (answer["errors"], answer["notice"]) == ({}, "")
     assert answer["numbers"] == solve(session.state).numbers
@@ -185,7 +186,7 @@ def test_any_sequence_of_changes_ends_in_the_picture_of_its_last_state(shared, d
         name = data.draw(st.sampled_from(FLOATS))
         low, high = State.param[name].bounds
         change(shared, **{name: data.draw(st.floats(low, high).map(lambda x: round(x, 2)))})
-    assert picture(shared) == expected(settled=False, **shared.state.inputs())
+    assert picture(shared) == expected(detail=Detail.COARSE, **shared.state.inputs())
     assert shared.notice == ""
 
 
@@ -202,7 +203,7 @@ def test_presets_and_reset(session, preset):
 def test_good_values_are_drawn_while_bad_ones_are_refused(session):
     answer = change(session, shear=0.03, spin_speed=99, polar_inertia=math.nan)
     assert set(answer["errors"]) == {"spin_speed", "polar_inertia"}
-    assert picture(session) == expected(settled=False, shear=0.03)
+    assert picture(session) == expected(detail=Detail.COARSE, shear=0.03)
 
 
 def test_answers_are_plain_json(session):
@@ -282,7 +283,7 @@ def test_nothing_is_patched_before_the_browser_has_built_the_page(monkeypatch):
 
 def test_a_rest_whose_full_picture_is_being_made_repeats_nothing(session, monkeypatch):
     change(session, shear=0.03)
-    monkeypatch.setattr(session.settling, "detail", lambda window: False)
+    monkeypatch.setattr(session.settling, "detail", lambda window: Detail.COARSE)
     page = session.pages[session.active]
     monkeypatch.setattr(page, "show", lambda *given: pytest.fail("drawn again"))
     assert session.respond({"type": "settle"}) == {"resting": True}
@@ -300,9 +301,9 @@ def test_a_picture_that_is_there_is_not_compared_again(session, monkeypatch):
     change(session, shear=0.03)
     session.respond({"type": "settle"})
     session.respond({"type": "settle"})
-    assert drawn == [False, True]
+    assert drawn == [Detail.COARSE, Detail.REFINED]
     session.respond({"type": "view"})
-    assert drawn == [False, True, True]
+    assert drawn == [Detail.COARSE, Detail.REFINED, Detail.REFINED]
 
 
 json_values = st.recursive(
@@ -353,7 +354,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
     change(session, shear=0.03)
     before = picture(session)
 
-    def no_answer(state, settled=True):
+    def no_answer(state, detail=Detail.REFINED):
         raise ValueError("this rotor has no such load")
 
     monkeypatch.setattr(explore, "solve", no_answer)
@@ -365,13 +366,13 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
     monkeypatch.undo()
     answer = change(session, shear=0.05)
     assert answer["notice"] == ""
-    assert picture(session) == expected(settled=False, shear=0.05)
+    assert picture(session) == expected(detail=Detail.COARSE, shear=0.05)
 
 
 def test_a_failure_keeps_the_picture_and_tells_no_detail(session, monkeypatch, caplog):
     before = picture(session)
 
-    def failure(state, settled=True):
+    def failure(state, detail=Detail.REFINED):
         raise RuntimeError("a detail of the inside")
 
     monkeypatch.setattr(explore, "solve", failure)
@@ -467,7 +468,7 @@ def test_sessions_share_arrays_but_not_state(session):
     change(other, shear=0.07)
     assert session.state.shear == State().shear
     assert picture(session) == expected()
-    assert picture(other) == expected(settled=False, shear=0.07)
+    assert picture(other) == expected(detail=Detail.COARSE, shear=0.07)
     for key, live in charts(session).items():
         assert live.figure is not charts(other)[key].figure
 
@@ -491,13 +492,11 @@ def test_shared_arrays_cannot_be_written():
 
 
 def test_caches_are_bounded():
-    caches = [
-        one for one in vars(app.results.analysis).values() if hasattr(one, "cache_parameters")
-    ]
-    assert len(caches) >= 4
-    for cache in caches:
-        # the paper's figures are seven
-        assert 0 < (cache.cache_parameters()["maxsize"] or 7) <= 1024, cache.__name__
+    caches = dict(cache_infos())
+    parts = {"analysis", "curves", "comparisons", "growth_maps", "quantities", "drawing"}
+    assert {name.split(".")[0] for name in caches} >= parts
+    for name, info in caches.items():
+        assert 0 <= info.currsize <= info.maxsize <= 1024, name
 
 
 def test_pages_are_built_when_first_opened():
@@ -573,13 +572,13 @@ def test_the_switch_of_units_renames_the_axes_and_undoes_a_zoom(session):
     zoom(live, (1.0, 2.0), (0.0, 1.0))
     change(session, units="SI")
     assert live.figure.xaxis[0].axis_label == "spin speed Ω [rpm]"
-    assert ranges(live) == expected(settled=False, units="SI")["campbell"][1]
+    assert ranges(live) == expected(detail=Detail.COARSE, units="SI")["campbell"][1]
     names = {name for tool in live.figure.select(type=HoverTool) for name, _ in tool.tooltips}
     assert names >= {"Ω [rpm]", "ω/2π [Hz]"}
     assert "Ω̄" not in names
     change(session, units="non-dimensional")
     assert live.figure.xaxis[0].axis_label == "spin speed Ω̄"
-    assert picture(session) == expected(settled=False)
+    assert picture(session) == expected(detail=Detail.COARSE)
 
 
 def test_a_shaft_too_thick_for_its_length_is_told(session):

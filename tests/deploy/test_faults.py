@@ -10,6 +10,7 @@ import pytest
 from app.background.printing import Printer
 from app.exports.files import excuse
 from app.results.analysis import solve
+from app.results.limits import Detail
 from app.state import State
 from rotorstab.charts import chart_figure
 from rotorstab.cli import parser as cli
@@ -58,7 +59,7 @@ def test_a_full_disk_leaves_no_part_of_a_file(tmp_path, monkeypatch, capsys, at)
 
 def test_a_picture_process_that_is_killed_fails_its_file_and_the_next_one_is_made():
     printer = Printer()
-    figure = chart_figure(solve(State(), settled=False).charts["campbell"], {})
+    figure = chart_figure(solve(State(), detail=Detail.COARSE).charts["campbell"], {})
     try:
         first = printer.file("first", figure, "svg")
         assert first.result(60).startswith(b"<?xml")

@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from app.pages.marked_point import inspect
-from app.results import analysis
+from app.results import analysis, limits, window
+from app.results.limits import Detail
 from app.session import Session
 from app.state import State
 from app.state.address import from_arguments, pins_from_arguments
 from app.state.rotor_file import read_rotor_file, write_rotor_file
 from app.words.verdict import verdict
 from rotorstab import BASE_CASE, lumped, stability_chart, whirl_frequencies
-from rotorstab.maps import window
 from tests.testing import hostile, spy
 from tests.testing.wire import encoded
 
@@ -59,7 +59,7 @@ def in_bounds(state):
 def test_the_spy_sees_every_way_into_the_solver():
     points = {(module.__name__, name) for module, name, _ in spy.entry_points()}
     assert {
-        ("app.results.growth_maps", "floquet_map"),
+        ("app.results.window", "stability_chart"),
         ("app.results.curves", "lumped"),
         ("app.results.curves", "campbell_diagram"),
         ("app.results.analysis", "bolotin_chart"),
@@ -208,14 +208,14 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     monkeypatch.setattr(window, "stability_chart", note)
     state = State()
     assert state.change(values) == {}
-    answer = analysis.solve(state, "map").floquet
-    assert all(one <= max(window.MOST_WORK.values()) for one in spent)
+    answer = analysis.solve(state, Detail.FULL).floquet
+    assert all(one <= max(limits.MOST_WORK.values()) for one in spent)
     assert answer.followed_from > 0
     assert "the map is blank" in verdict(answer)
 
 
 def test_the_default_window_is_whole():
-    result = analysis.solve(State(), settled=True)
+    result = analysis.solve(State(), detail=Detail.REFINED)
     assert result.floquet.followed_from == 0
     assert "blank" not in verdict(result.floquet)
 
@@ -226,11 +226,11 @@ def test_the_default_window_is_whole():
 def test_a_map_that_moves_leaves_at_most_a_tenth_of_the_columns_for_rest(values):
     state = State()
     assert state.change(values) == {}
-    growth = window.floquet_map(analysis.window_of(state), settled=False).growth.growth
+    growth = window.floquet_map(analysis.window_of(state), detail=Detail.COARSE).growth.growth
     known = np.isfinite(growth).all(axis=0)
     assert known.mean() >= 0.9
     assert known[known.argmax() :].all()
-    moving = analysis.solve(state, settled=False).floquet
+    moving = analysis.solve(state, detail=Detail.COARSE).floquet
     assert "blank" not in verdict(moving)
     assert "slowest loads follow" in verdict(moving)
 
@@ -240,4 +240,4 @@ def test_a_marker_that_cannot_be_followed_is_refused_in_words():
     values = {"marker": True, "marker_frequency": 0.05, "diametral_inertia": 0.01}
     state.change(values | {"spin_speed": 4, "polar_inertia": 6})
     with pytest.raises(ValueError, match=r"cycles in one period of this load, more than can"):
-        inspect(state, analysis.solve(state, settled=False))
+        inspect(state, analysis.solve(state, detail=Detail.COARSE))

@@ -5,11 +5,12 @@ import pytest
 
 from app.results.analysis import solve, window_of
 from app.results.growth_maps import known_map
+from app.results.limits import Detail
+from app.results.window import floquet_map
 from app.state import State
 from rotorstab.floquet.interpolant.growth import largest_modulus, self_inversive_growth
 from rotorstab.floquet.interpolant.matrix_growth import matrix_growth, reversed_growth
 from rotorstab.floquet.point import floquet_solution
-from rotorstab.maps.window import floquet_map
 
 # shares by independent integration at random points, and how far those may be off
 SHARES = [
@@ -86,7 +87,7 @@ OVERDAMPED = {
 }
 
 
-@pytest.mark.parametrize("detail", [False, True])
+@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
 @pytest.mark.parametrize("kind", [*KINDS, "overdamped"])
 @pytest.mark.parametrize("seed", range(2))
 def test_pixels_against_points(kind, seed, detail):
@@ -113,7 +114,7 @@ def test_shares_against_random_points(kind, seed):
     """The share on the page is that of random points, to four standard deviations."""
     state = random_state(seed, **KINDS[kind])
     window = window_of(state)
-    made = known_map(window, "map").growth
+    made = known_map(window, Detail.FULL).growth
     known = made.excitation_frequencies[np.isfinite(made.growth).any(axis=0)]
     rng, count = np.random.default_rng(seed), 200
     theta = rng.uniform(max(known.min(), 0.02 * window.high), window.high, count)

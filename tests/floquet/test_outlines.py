@@ -21,7 +21,7 @@ from rotorstab import (
     whirl_frequencies,
 )
 from rotorstab.floquet.tongues.outlines import unstable_outlines
-from rotorstab.maps.window import Model, Window, tongue_outlines
+from rotorstab.maps.tongue_outlines import tongue_outlines
 from rotorstab.model.finite_element import first_modes
 from rotorstab.model.stiffness import largest_exact_load
 from tests.testing.example_rotors import P, W
@@ -107,12 +107,11 @@ def test_a_larger_system_is_refused():
 
 
 def test_edges_of_finite_elements_are_those_of_their_first_modes():
-    model = Model(BASE_CASE, "finite elements")
-    window = Window(model, 2.0, 0.0, 0.5 * P, 0.8 * W, 40 * W, 0.5 * P)
-    pieces = tongue_outlines(window)
+    system = finite_element(BASE_CASE, 2.0)
+    pieces = tongue_outlines(system, 0.5 * P, 0.5 * P, 0.8 * W, 40 * W)
     piece = next(one for one in pieces if one.name == "1B+1F" and one.order == 1)
     load = piece.pulsating_loads[-1:]
-    exact = tongue_edges(model.system(2.0, 0.0), 0.5 * P, load, ("1B+1F",))
+    exact = tongue_edges(system, 0.5 * P, load, ("1B+1F",))
     assert piece.left[-1] == pytest.approx(exact.left[0, 0], rel=3e-3)
     assert piece.right[-1] == pytest.approx(exact.right[0, 0], rel=3e-3)
     # 2B+2F is there; the third mode has resonances of its own from 17 ω_n on
@@ -122,21 +121,27 @@ def test_edges_of_finite_elements_are_those_of_their_first_modes():
 def test_finite_elements_have_no_edges_where_two_modes_do_not_hold_the_whirls():
     fast = ShaftDisk(disk_mass=2.0, diametral_inertia=0.05, polar_inertia=4.0)
     for rotor, spin, drawn in ((BASE_CASE, 4.0, True), (fast, 0.0, True), (fast, 4.0, False)):
-        model = Model(rotor, "finite elements")
-        scale = fundamental_frequency(model.system(0.0, 0.0))
-        window = Window(model, spin, 0.0, 0.5 * P, 2 * scale, 4 * scale, 0.5 * P)
-        assert bool(tongue_outlines(window)) == drawn
-        whirl = np.sort(np.abs(whirl_frequencies(model.system(spin, 0.0), 0.5 * P).real))[:4]
-        two = first_modes(model.system(spin, 0.0), 0.5 * P)
+        scale = fundamental_frequency(finite_element(rotor, 0.0))
+        system = finite_element(rotor, spin)
+        pieces = tongue_outlines(system, 0.5 * P, 0.5 * P, 2 * scale, 4 * scale)
+        assert bool(pieces) == drawn
+        whirl = np.sort(np.abs(whirl_frequencies(system, 0.5 * P).real))[:4]
+        two = first_modes(system, 0.5 * P)
         ours = np.sort(np.abs(whirl_frequencies(two, 0.5 * P).real))
         assert (np.abs(ours / whirl - 1).max() < 1e-2) == drawn
 
 
-def test_damped_and_exact_models_have_edges_in_the_dashboard():
-    for options in ({"external_damping": 0.01}, {"law": "exact"}):
-        model = Model(BASE_CASE, **options)
-        assert tongue_outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
-    assert tongue_outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()
+@pytest.mark.parametrize("options", [{"external_damping": 0.01}, {"stiffness": "exact"}])
+def test_edges_begin_where_the_load_is_fast_enough(options):
+    system = lumped(BASE_CASE, 2.0, **options)
+    fastest = float(np.abs(whirl_frequencies(system, 0.5 * P)).max())
+    window = 0.5 * P, 0.5 * P, W, 3 * W
+    all_edges = tongue_outlines(system, *window)
+    assert min(one.left.min() for one in all_edges) < 1.2 * W
+    few = tongue_outlines(system, *window, most_cycles=fastest / (2 * W))
+    assert few
+    assert min(one.left.min() for one in few) >= 2 * W
+    assert tongue_outlines(system, *window, most_cycles=fastest / (3 * W)) == ()
 
 
 def test_one_edge_around_a_window_that_grows_everywhere():

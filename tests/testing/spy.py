@@ -14,6 +14,7 @@ import pkgutil
 import numpy as np
 
 import app
+from app.results.limits import MOST_NODES
 from app.state import State
 from rotorstab import ResonanceTable, ShaftDisk, System, critical_load, flutter_load, lumped
 from rotorstab import fundamental_frequency as frequency_of
@@ -76,6 +77,7 @@ LIMITS = {
     "spin_speeds": _bounds("spin_speed"),
 }
 LIMITS |= {"low": (0.0, 40 * FREQUENCY), "high": (0.0, 40 * FREQUENCY), "top": (0.0, 2 * LOAD)}
+LIMITS |= {"most_work": (0.0, float(max(MOST_NODES.values())))}
 LIMITS |= {name: (0.0, 1e300) for name in ("youngs_modulus", "shear_modulus", "density")}
 
 

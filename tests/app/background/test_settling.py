@@ -15,9 +15,11 @@ from app.background.threads import Scheduler
 from app.results import growth_maps
 from app.results.analysis import window_of
 from app.results.growth_maps import known_detail, known_map
+from app.results.limits import Detail
 from app.state import State
 from tests.testing.serving import run
 
+COARSE, FULL, REFINED = Detail
 WINDOW = replace(window_of(State()), spin_speed=1.2345)
 
 
@@ -53,14 +55,15 @@ class Here:
         self.refused = list(refused)
 
     def request(self, function, *arguments):
-        if function.__name__ in self.refused:
-            self.refused.remove(function.__name__)
+        detail = arguments[-1]
+        if detail in self.refused:
+            self.refused.remove(detail)
             raise RuntimeError("no running event loop")
-        self.asked.append(function.__name__)
+        self.asked.append(detail)
         made = Future()
 
         def work():
-            if function.__name__ in self.failing:
+            if detail in self.failing:
                 made.set_exception(MemoryError())
             else:
                 made.set_result(function(*arguments))
@@ -69,14 +72,13 @@ class Here:
         return made
 
     def withdraw(self, function, *arguments):
-        self.withdrawn.append(function.__name__)
+        self.withdrawn.append(arguments[-1])
 
 
 @pytest.fixture
-def fresh(monkeypatch):
-    """No map is known, and none is left behind."""
-    monkeypatch.setattr(growth_maps, "_full", type(growth_maps._full)())
-    monkeypatch.setattr(growth_maps, "_whole", type(growth_maps._whole)())
+def fresh():
+    """No map is known."""
+    growth_maps.clear()
 
 
 def settle(monkeypatch, work, act):
@@ -95,21 +97,18 @@ def settle(monkeypatch, work, act):
 
 def test_the_map_is_shown_before_its_edges(fresh, monkeypatch):
     async def act(one, page):
-        assert one.detail(WINDOW) is False
-        assert one.detail(WINDOW) is False  # asked once
+        assert one.detail(WINDOW) is COARSE
+        assert one.detail(WINDOW) is COARSE  # asked once
         await page.ticks(1)
-        assert one.detail(WINDOW) in ("map", True)
+        assert one.detail(WINDOW) in (FULL, REFINED)
         await page.ticks(1)
-        assert one.detail(WINDOW) is True
+        assert one.detail(WINDOW) is REFINED
 
     work = Here()
-    assert settle(monkeypatch, work, act) == ["map", True]
-    assert work.asked == ["floquet_map", "whole_map"]
-    assert known_map(WINDOW, "map").outlines == ()
-    assert len(known_map(WINDOW, True).outlines) > 3
-    rough, fine = (known_map(WINDOW, one).growth for one in ("map", True))
-    assert rough.refined == 0 < fine.refined
-    assert (rough.error >= fine.error).all()
+    assert settle(monkeypatch, work, act) == [FULL, REFINED]
+    assert work.asked == [FULL, REFINED]
+    assert known_map(WINDOW, FULL).outlines == ()
+    assert len(known_map(WINDOW, REFINED).outlines) > 3
 
 
 def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
@@ -120,22 +119,22 @@ def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
         while not page.callbacks:
             await asyncio.sleep(0.01)
         one.drop()  # a slider moves before the map's turn comes
-        assert one.detail(other) is False
+        assert one.detail(other) is COARSE
         await page.ticks(3)
 
-    assert settle(monkeypatch, Here(), act) == ["map", True]
-    assert known_detail(other) is True
+    assert settle(monkeypatch, Here(), act) == [FULL, REFINED]
+    assert known_detail(other) is REFINED
 
 
 def test_a_map_that_cannot_be_made_elsewhere_is_shown_all_the_same(fresh, monkeypatch):
     async def act(one, page):
         one.detail(WINDOW)
         await page.ticks(1)
-        assert one.detail(WINDOW) is False  # asked anew
+        assert one.detail(WINDOW) is COARSE  # asked anew
 
-    work = Here(failing=["floquet_map"])
-    assert settle(monkeypatch, work, act) == [True]
-    assert work.asked == ["floquet_map", "floquet_map"]
+    work = Here(failing=[FULL])
+    assert settle(monkeypatch, work, act) == [REFINED]
+    assert work.asked == [FULL, FULL]
 
 
 def test_a_request_that_failed_is_made_again_by_the_next_message(fresh, monkeypatch):
@@ -144,12 +143,12 @@ def test_a_request_that_failed_is_made_again_by_the_next_message(fresh, monkeypa
     async def act(one, page):
         with pytest.raises(RuntimeError):
             one.detail(WINDOW)
-        assert one.detail(WINDOW) is False
+        assert one.detail(WINDOW) is COARSE
         await page.ticks(2)
 
-    work = Here(refused=["floquet_map"])
-    assert settle(monkeypatch, work, act) == ["map", True]
-    assert work.asked == ["floquet_map", "whole_map"]
+    work = Here(refused=[FULL])
+    assert settle(monkeypatch, work, act) == [FULL, REFINED]
+    assert work.asked == [FULL, REFINED]
 
 
 def test_a_worker_thread_may_ask_and_is_answered_with_the_documents_lock(fresh, monkeypatch):
@@ -164,23 +163,23 @@ def test_a_worker_thread_may_ask_and_is_answered_with_the_documents_lock(fresh, 
         await asyncio.to_thread(page.callbacks.pop(0))
         await page.ticks(1)
 
-    assert settle(monkeypatch, Here(), act) == ["map", True]
-    assert told == [False, 1]
+    assert settle(monkeypatch, Here(), act) == [FULL, REFINED]
+    assert told == [COARSE, 1]
 
 
 def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
     async def act(one, page):
-        known_map(WINDOW, "map")
-        assert one.detail(WINDOW) == "map"
+        known_map(WINDOW, FULL)
+        assert one.detail(WINDOW) is FULL
         await page.ticks(1)
         page.destroyed(None)
         assert work.withdrawn == []
 
     work = Here()
-    assert settle(monkeypatch, work, act) == [True]
-    assert work.asked == ["whole_map"]
+    assert settle(monkeypatch, work, act) == [REFINED]
+    assert work.asked == [REFINED]
 
 
 def test_without_a_server_everything_is_made_at_once(fresh):
     assert pn.state.curdoc is None
-    assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is True
+    assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is REFINED

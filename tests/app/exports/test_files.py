@@ -13,14 +13,14 @@ from app.background.printing import Printer, gather
 from app.exports import files
 from app.exports.files import MOST_FILES, Files, export, making, report
 from app.pages.paper import Paper
-from app.results import growth_maps
+from app.results import comparisons, growth_maps
 from app.results.analysis import solve, window_of
 from app.results.comparisons import paper_figure
+from app.results.limits import Detail
 from app.session import Session
 from app.state import State
 from rotorstab.charts import chart_figure
 from rotorstab.drawing.tables import figure_csv
-from rotorstab.maps.window import whole_map
 from rotorstab.paper import FIGURES
 
 
@@ -31,7 +31,7 @@ def session():
 
 @pytest.fixture(scope="module")
 def figure():
-    return chart_figure(solve(State(), settled=False).charts["campbell"], {})
+    return chart_figure(solve(State(), detail=Detail.COARSE).charts["campbell"], {})
 
 
 class Desk:
@@ -152,11 +152,9 @@ def moved(session, monkeypatch):
     """A session that has just moved: its full map is not there, and is not made here."""
     session.respond({"type": "page", "name": "explore"})
     session.respond({"type": "reset"})
-    for name in ("_full", "_whole"):
-        monkeypatch.setattr(growth_maps, name, type(growth_maps._full)())
+    growth_maps.clear()
     session.respond({"type": "change", "values": {"spin_speed": 1.375}})
-    for name in ("whole_map", "floquet_map"):
-        monkeypatch.setattr(growth_maps, name, never)
+    monkeypatch.setattr(growth_maps, "floquet_map", never)
     return session
 
 
@@ -179,7 +177,7 @@ def test_a_file_of_a_page_that_has_just_moved_waits_for_the_map_of_another_proce
     assert making() == 0
     text = base64.b64decode(told[-1]["file"]["base64"]).decode("utf-8-sig")
     state = State(**inputs)
-    assert growth_maps.known_detail(window_of(state)) is True
+    assert growth_maps.known_detail(window_of(state)) is Detail.REFINED
     if what == "report":
         assert text.count("<svg") >= 3
         assert "1.375" in text
@@ -190,7 +188,7 @@ def test_a_file_of_a_page_that_has_just_moved_waits_for_the_map_of_another_proce
 
 
 def test_a_figure_with_floquet_is_computed_by_another_process(own, monkeypatch):
-    monkeypatch.setattr("app.results.comparisons._figures", {})
+    comparisons.figures.clear()
     monkeypatch.setitem(FIGURES, 8, never)  # of this process
     told, page = [], Page()
     wanted = Files(page, told.append, State())
@@ -271,11 +269,10 @@ def test_a_session_that_ends_waits_for_nothing(own, moved):
     own[1].request(time.sleep, 0.3)
     request = {"format": "csv", "chart": "instability"}
     wanted.start(export(moved.pages["explore"], moved.state, request))
-    assert making() == 1
+    assert (making(), own[1].pending()) == (1, 2)
     for callback in page.end:
         callback()
-    assert making() == 0
-    assert (whole_map, (window_of(moved.state),)) not in own[1]._works
+    assert (making(), own[1].pending()) == (0, 1)
     assert told == []
 
 

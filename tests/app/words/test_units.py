@@ -10,6 +10,7 @@ from app.exports.report import report_html
 from app.lessons.markdown import plain as as_html
 from app.pages.marked_point import inspect
 from app.results.analysis import CHARTS, solve
+from app.results.limits import Detail
 from app.state import State
 from app.words.point import Units
 from app.words.verdict import verdict
@@ -22,11 +23,11 @@ ROTOR, SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 HERTZ = SCALES.frequency / (2 * math.pi)
 
 
-def table_1(settled=True, **values):
+def table_1(detail=Detail.REFINED, **values):
     state = State()
     state.apply_preset("Table 1, 1000 rpm")
     assert state.change(values) == {}
-    return solve(state, settled)
+    return solve(state, detail)
 
 
 def both(result, key):

@@ -6,6 +6,7 @@ import pytest
 import rotorstab as rs
 from app.pages.marked_point import inspect
 from app.results.analysis import solve
+from app.results.limits import Detail
 from app.state import State
 from app.words.verdict import verdict
 
@@ -31,10 +32,10 @@ SLOW = {
 HELD = {"external_damping": 0.05, "load_type": "follower"}
 
 
-def solved(values, settled=True):
+def solved(values, detail=Detail.REFINED):
     state = State()
     assert state.change(values) == {}
-    return state, solve(state, settled)
+    return state, solve(state, detail)
 
 
 def test_a_rotor_that_grows_by_itself_is_not_compared_with_bolotin():
@@ -82,11 +83,11 @@ def test_growth_too_strong_for_the_map_is_named():
         "law": "exact",
         "largest_factor": 0.8,
     }
-    _, result = solved(strong, settled="map")
+    _, result = solved(strong, detail=Detail.FULL)
     assert result.floquet.unknown_share > 0.05
     words = verdict(result.floquet)
     assert "grows too much there for its rate to be known" in words
-    _, result = solved({}, settled="map")
+    _, result = solved({}, detail=Detail.FULL)
     assert result.floquet.unknown_share == 0
     assert "blank" not in verdict(result.floquet)
 
@@ -94,7 +95,7 @@ def test_growth_too_strong_for_the_map_is_named():
 def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
     thin = {"spin_speed": 1, "lowest_frequency": 5, "highest_frequency": 7, "largest_factor": 0.05}
     for damping, words in ((0.0, "under 0.1 %"), (0.01, "nothing")):
-        for detail in ("map", True):
+        for detail in (Detail.FULL, Detail.REFINED):
             answer = solved(thin | {"external_damping": damping}, detail)[1].floquet
             assert answer.unstable_share == 0
             assert f"Of this window {words} is unstable" in verdict(answer)
@@ -102,7 +103,7 @@ def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
 
 def test_nothing_computed_gives_no_share():
     small = {"diametral_inertia": 0.01, "spin_speed": 4, "polar_inertia": 6}
-    _, result = solved(small | {"highest_frequency": 0.5}, settled=False)
+    _, result = solved(small | {"highest_frequency": 0.5}, detail=Detail.COARSE)
     answer = result.floquet
     assert np.isnan(answer.unstable_share)
     assert "Of " not in verdict(answer)
@@ -135,7 +136,9 @@ def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
 def test_a_coarse_map_is_no_measure_of_bolotin():
     # at rest, follower load: its pixels miss the thin tongues, and Bolotin seemed 750 % too large
     values = {"spin_speed": 0.0, "load_type": "follower"}
-    words = [verdict(solved(values, settled)[1].floquet) for settled in (False, True)]
+    words = [
+        verdict(solved(values, detail)[1].floquet) for detail in (Detail.COARSE, Detail.REFINED)
+    ]
     assert not [one for one in words if "overstating" in one]
     assert "follow once the sliders rest" in words[0]
     assert "Of this window" in words[1]

@@ -1,0 +1,76 @@
+"""How much work one picture may take: a class shares the server, and each process has one core.
+
+Each number was chosen so that the pictures of usual rotors are complete. What is left out of an
+unusual one is blank on the page, and the page says so.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple
+
+__all__ = ["Detail", "MapSize", "map_size"]
+
+
+class Detail(IntEnum):
+    """How fine a picture is; a larger value is a finer picture."""
+
+    COARSE = 0
+    """A coarse growth map, made in the time of one step of a slider."""
+    FULL = 1
+    """The full growth map, without tongue edges."""
+    REFINED = 2
+    """The full map with its doubtful pixels computed one by one, and exact tongue edges."""
+
+
+class MapSize(NamedTuple):
+    """Rows and columns of a growth map, and the density of its nodes (see `stability_chart`)."""
+
+    rows: int
+    columns: int
+    density: float
+
+
+_COARSE_MAPS = {"lumped": MapSize(40, 80, 0.6), "finite elements": MapSize(20, 40, 0.6)}
+_FULL_MAPS = {"lumped": MapSize(120, 240, 1.0), "finite elements": MapSize(48, 120, 1.0)}
+
+
+def map_size(kind: str, detail: Detail) -> MapSize:
+    """Return the size of the growth map of a kind of model."""
+    return (_COARSE_MAPS if detail is Detail.COARSE else _FULL_MAPS)[kind]
+
+
+MOST_REFINED = {"lumped": 600, "finite elements": 60}
+"""Largest number of pixels computed one by one, by kind of model; those in doubt come first."""
+
+MOST_CYCLES = 1000
+"""Largest number of cycles of the fastest whirl in one period of the load, on a growth map and in
+the marked point: the time of a column rises with it, and without bound for a slow load."""
+MOST_WORK = {
+    ("lumped", False): 5000,
+    ("lumped", True): 2500,
+    ("finite elements", False): 4000,
+    ("finite elements", True): 2500,
+}
+"""The same number summed over the columns of a map, by kind of model and whether it is damped: a
+full map then takes some seconds at most."""
+COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.25
+"""Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
+map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It
+may take the share `COARSE_WORK` of `MOST_WORK`."""
+MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.REFINED: 2_000_000}
+"""Largest sum of nodes times steps of a map, 0.1 s or some 4 s of work (`columns_within_work`)."""
+
+EDGE_CYCLES = 60
+"""As `MOST_CYCLES`, for the edges of the tongues."""
+LOWEST_EDGE = 0.4
+"""Lowest θ/ω_n at which edges are drawn: below it tongues crowd, and the pixels show them."""
+
+MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
+"""Largest number of steps in one period of the load in the marked point, by kind of model: 0.1 s of
+work for the multipliers, and as much for the motion."""
+EXACT_STEPS, EXACT_HARMONICS = 2400, 40
+"""As `MOST_STEPS`, for the exact law; a step costs twice as much with `EXACT_HARMONICS` harmonics
+of the stiffness."""
+MOST_SAMPLES = 6000
+"""Largest number of samples of the response in the marked point; more would slow the page."""
