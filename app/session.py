@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import panel as pn
@@ -16,15 +16,19 @@ from .exports.snippet import python_snippet
 from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
+from .results.growth import shows_growth
 from .results.limits import Detail
 from .state import State
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
-from .words.refusals import FAILED, told
+from .words.refusals import FAILED, user_message
 
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
-_MAKES = ("export", "report", "figure")
+# messages that ask for a file, which takes longer than an answer may
+_MAKE_FILES = ("export", "report", "figure")
+# inputs that decide how the page looks before its first answer
+_LOOKS = ("units", "growth_unit", "show_growth", "show_bolotin", "show_disagreement")
 
 
 class Session:
@@ -37,103 +41,136 @@ class Session:
         self.state = State()
         values, doubtful = from_arguments(arguments or {})
         refused = self.state.change(values)
-        pins, bad = pins_from_arguments(arguments or {}, self.state.inputs())
-        self._problems = [*doubtful, *bad], refused
+        pins, bad_pins = pins_from_arguments(arguments or {}, self.state.inputs())
+        self._problems = [*doubtful, *bad_pins], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
         for page in self.pages.values():
             page.opening = True
-            page.expect(pins)
+            page.set_address_pins(pins)
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
         self._scheduler = Scheduler()
-        self.files = Files(self._scheduler, lambda one: self.controls.tell(one), self.state)
+        self.files = Files(self._scheduler, lambda content: self.controls.send(content), self.state)
         self.notice = ""
-        self.settling = Settling(self._show_refined, self._scheduler)
-        self._shown: tuple[Page, Detail] | None = None  # since the last change of anything
-        self._heard = False
-        # what the first paint looks like and keeps room for, so that the first answer moves nothing
-        looks = ("units", "growth_unit", "show_growth", "show_bolotin", "show_disagreement")
-        found = self.redraw()
-        whirl = found["numbers"]["whirl"].values() if found else ()
-        self.first = {
-            "words": found.get("verdict_room", ""),
-            "looks": {name: getattr(self.state, name) for name in looks}
-            | {"complex": any(abs(imaginary) > 1e-9 for _, imaginary in whirl)},
+        self.settling = Settling(self.show_refined, self._scheduler)
+        # the page and the detail that the browser shows since the last change of anything
+        self._shown: tuple[Page, Detail] | None = None
+        self._opened = False
+        self._handlers: dict[object, Callable[[Mapping[str, Any]], Reply]] = {
+            "change": self._change,
+            "preset": self._apply_preset,
+            "reset": self._reset,
+            "view": lambda message: Reply(reset_view=True),
+            "page": self._turn_to_page,
+            "export": lambda message: export(self.pages[self.active], self.state, message),
+            "report": lambda message: report(
+                self.pages[PAGES[0].key], self.state, self.query(), message
+            ),
+            "python": lambda message: self.python(),
         }
+        self.first = self._first_paint(self.redraw())
+
+    def _first_paint(self, content: Mapping[str, Any]) -> dict[str, Any]:
+        """Return what the page shows, and keeps room for, before the first answer comes."""
+        whirl = content["numbers"]["whirl"].values() if content else ()
+        is_complex = any(shows_growth(imaginary) for _, imaginary in whirl)
+        looks = {name: getattr(self.state, name) for name in _LOOKS}
+        return {"words": content.get("verdict_room", ""), "looks": looks | {"complex": is_complex}}
 
     def roots(self) -> dict[str, Any]:
         """Return everything the template embeds."""
-        found: dict[str, Any] = {"controls": self.controls}
+        roots: dict[str, Any] = {"controls": self.controls}
         for page in self.pages.values():
-            found |= page.roots()
-        return found
+            roots |= page.roots()
+        return roots
 
     def respond(self, message: Mapping[str, Any]) -> dict[str, Any]:
-        """Act on one message and describe the state that follows."""
-        if not self._heard:
+        """Act on one message and describe the state that follows.
+
+        Parameters
+        ----------
+        message : mapping
+            With a "type". It may be forged: only its "values" may be anything but a number or a
+            text, since lists and arrays have no hash and no truth value.
+        """
+        if not self._opened:
             self._open()
         values = message.get("values")
-        # a forged message may hold anything; lists and arrays have no hash and no truth value
-        message = {key: one for key, one in message.items() if isinstance(one, str | int | float)}
+        message = {
+            key: item
+            for key, item in message.items()
+            if key != "values" and isinstance(item, str | int | float)
+        }
+        if isinstance(values, Mapping):
+            message["values"] = values
         kind = message.get("type")
         if kind != "settle":
             background.touch(id(self))
             self._shown = None
-        elif self._shown == (self.pages[self.active], Detail.COARSE) and (
-            self._detail() is Detail.COARSE
-        ):
-            return {"resting": True}  # all else was told; the full picture is being made
+        elif self._is_waiting():
+            return {"resting": True}
         try:
-            errors, now = self._act(message, values)
+            reply = self._reply(message)
+            content = self._start(reply)
         except Exception:
             _LOG.exception("a message of type %r failed", kind)
-            errors, now = {}, {"told": "this could not be done: try it once more"}
+            reply, content = Reply(), {"told": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
         at_rest = kind != "change"
-        return {**self.redraw(at_rest), **now, **self._described(errors, at_rest)}
+        return {**self.redraw(at_rest), **content, **self._describe(reply.errors, at_rest)}
 
-    def _act(
-        self, message: Mapping[str, Any], values: object
-    ) -> tuple[dict[str, str], Mapping[str, Any]]:
-        """Do what a message asks; return the errors of its values and what is told at once."""
-        errors: dict[str, str] = {}
-        reply = Reply()
-        kind, name = message.get("type"), message.get("name")
-        if kind == "change" and isinstance(values, Mapping):
-            errors = self.state.change(values)
-        elif kind == "preset":
-            errors = self.state.apply_preset(name)
-        elif kind == "reset":
-            self.state.reset()
-            self.reset_view()
-        elif kind == "view":
-            self.reset_view()
-        elif kind == "page" and name in self.pages:
-            self.active = str(name)
-        elif kind in _MAKES and self.files.full():
+    def _is_waiting(self) -> bool:
+        """Whether the browser has all but the full picture, which is still being made."""
+        coarse = self.pages[self.active], Detail.COARSE
+        return self._shown == coarse and self._detail() is Detail.COARSE
+
+    def _reply(self, message: Mapping[str, Any]) -> Reply:
+        """Do what a message asks for."""
+        kind = message.get("type")
+        if kind in _MAKE_FILES and self.files.full():
             busy = "files are still being made: wait for one, then ask again"
             # a figure's place on the page says it too
-            beside = (
-                {"not_drawn": f"This figure is not drawn yet: {busy}."} if kind == "figure" else {}
-            )
-            reply = Reply({"told": busy, **beside})
-        elif kind == "export":
-            reply = export(self.pages[self.active], self.state, message)
-        elif kind == "python":
-            reply = self.python()
-        elif kind == "report":
-            reply = report(self.pages[PAGES[0].key], self.state, self.query(), message)
-        else:
-            takers = (page for page in self.pages.values() if kind in page.takes)
-            reply = next(takers, self.pages[self.active]).handle(message, self.state)
+            place = {"not_drawn": f"This figure is not drawn yet: {busy}."}
+            return Reply({"told": busy, **(place if kind == "figure" else {})})
+        if kind in self._handlers:
+            return self._handlers[kind](message)
+        takers = (page for page in self.pages.values() if kind in page.takes)
+        return next(takers, self.pages[self.active]).handle(message, self.state)
+
+    def _start(self, reply: Reply) -> Mapping[str, Any]:
+        """Do what follows from a reply for all pages; return what the browser is sent at once."""
         if reply.reset_view:
-            self.reset_view()
+            for page in self.pages.values():
+                page.reset_view()
         if reply.keep_colours is not None:
             for page in self.pages.values():
                 page.keep_colours(reply.keep_colours)
-        return errors, self.files.start(reply)
+        return self.files.start(reply)
 
-    def _described(self, errors: Mapping[str, str], at_rest: bool = True) -> dict[str, Any]:
+    def _change(self, message: Mapping[str, Any]) -> Reply:
+        return Reply(errors=self.state.change(message.get("values", {})))
+
+    def _apply_preset(self, message: Mapping[str, Any]) -> Reply:
+        return Reply(errors=self.state.apply_preset(message.get("name")))
+
+    def _reset(self, message: Mapping[str, Any]) -> Reply:
+        self.state.reset()
+        return Reply(reset_view=True)
+
+    def _turn_to_page(self, message: Mapping[str, Any]) -> Reply:
+        if message.get("name") in self.pages:
+            self.active = str(message["name"])
+        return Reply()
+
+    def python(self) -> Reply:
+        """Return the view as a program."""
+        try:
+            return Reply({"python": python_snippet(self.state)})
+        except ValueError as error:
+            return Reply({"told": user_message(error)})
+
+    def _describe(self, errors: Mapping[str, str], at_rest: bool = True) -> dict[str, Any]:
+        """Return what every answer says of the session."""
         return {
             "values": self.state.inputs(),
             "errors": errors,
@@ -146,12 +183,12 @@ class Session:
 
     def query(self) -> str:
         """Return the address query of the state and its pins."""
-        pins = [one for page in self.pages.values() for one in page.kept()]
+        pins = [pin for page in self.pages.values() for pin in page.pin_inputs()]
         return to_query(self.state.inputs(), pins)
 
     def _open(self) -> None:
         """Prepare for the first message: draw what a bare request for the page does not cost."""
-        self._heard = True
+        self._opened = True
         self._shown = None
         for page in self.pages.values():
             page.opening = False
@@ -159,44 +196,31 @@ class Session:
 
     def _restore_pin(self) -> None:
         """Solve one pin of the address and show it; the others wait for a turn of their own."""
-        found = [page.restore_next() for page in self.pages.values()]
-        problems = [one for one in found if one]
-        if all(one is None for one in found):
+        results = [page.restore_next_pin() for page in self.pages.values()]
+        if all(result is None for result in results):
             return
         named, refused = self._problems
-        self._problems = [*named, *problems], refused
+        self._problems = [*named, *(result for result in results if result)], refused
         self._shown = None
-        self._show_refined(self._detail())
+        self.show_refined(self._detail())
         self._scheduler.call(self._restore_pin)
 
-    def python(self) -> Reply:
-        """Return the view as a program."""
-        try:
-            return Reply({"python": python_snippet(self.state)})
-        except ValueError as error:
-            return Reply({"told": told(error)})
-
-    def reset_view(self) -> None:
-        """Undo every zoom on every page."""
-        for page in self.pages.values():
-            page.reset_view()
-
-    def _show_refined(self, detail: Detail) -> None:
-        """Show what was asked for and is there now: the full map, then its edges.
+    def show_refined(self, detail: Detail) -> None:
+        """Show a finer picture that has been made: the full map, then the refined one.
 
         BokehJS drops what comes while it builds the page: the first message asks for all again.
         """
-        if not self._heard:
+        if not self._opened:
             return
         with pn.io.hold():
-            answer = self._redraw(detail)
-            self.controls.tell(answer | self._described({}))
+            content = self._redraw(detail)
+            self.controls.send(content | self._describe({}))
 
     def redraw(self, settled: bool = True) -> dict[str, Any]:
-        """Solve and patch; a failure is told and leaves the last good picture.
+        """Solve and patch; a failure is told to the user and leaves the last good picture.
 
         A full picture that takes long is made elsewhere and shown when it is there; until
-        then a coarse one is.
+        then a coarse one is shown.
         """
         if settled:
             return self._redraw(self._detail())
@@ -204,7 +228,7 @@ class Session:
         return self._redraw(Detail.COARSE)
 
     def _detail(self) -> Detail:
-        """Return how much of the page's picture can be shown, and have the rest made."""
+        """Return how fine a picture of the page can be shown, and have finer ones made."""
         return self.settling.detail(self.pages[self.active].awaited(self.state))
 
     def _redraw(self, detail: Detail) -> dict[str, Any]:
@@ -216,12 +240,12 @@ class Session:
                     page.show(self.state, detail)
                 self._shown = page, detail
             self.notice = ""
-            found = page.answer(self.state, detail)
-            for one in self.pages.values():
-                found |= one.beside(self.state)
-            return found
+            content = page.answer(self.state, detail)
+            for other in self.pages.values():
+                content |= other.sidebar_answer(self.state)
+            return content
         except ValueError as error:
-            self.notice = told(error)
+            self.notice = user_message(error)
         except Exception:
             _LOG.exception("redraw failed for %r", self.state.inputs())
             self.notice = FAILED

@@ -136,9 +136,9 @@ def _detail(self, window):
 
 def _start(self, reply):
     """Leave to other processes what a server leaves to them; do the rest."""
-    if reply.then is not None and reply.then[0] is None:
-        return {**reply.now, **_start(self, reply.then[1]())}
-    return reply.now
+    if reply.follow_up is not None and reply.follow_up[0] is None:
+        return {**reply.content, **_start(self, reply.follow_up[1]())}
+    return reply.content
 
 
 def _costs(candidate, messages):

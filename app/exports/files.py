@@ -1,7 +1,8 @@
-"""What takes longer than an answer may: charts as files, figures of the paper, the report.
+"""Files, which take longer than an answer may: charts, figures of the paper, the report.
 
-A map that is not there yet is made in the background, then the file by the printer. Meanwhile the
-session answers other messages; the browser is told when the file is ready, or why there is none.
+A map that is not there yet is made in the background, then the printer makes the file. Meanwhile
+the session answers other messages; the browser is told when the file is ready, or why there is
+none.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from copy import copy
 from functools import partial
 from typing import Any
 
-from rotorstab.charts import chart_figure
+from rotorstab.charts import Chart, chart_figure
 
 from ..background.printing import FORMATS, MIME, gather, printer
 from ..background.processes import background
@@ -25,68 +26,79 @@ from ..pages.paper import figure_need, is_figure
 from ..results.analysis import CHARTS, solve
 from ..results.comparisons import paper_figure
 from ..state import State
-from ..words.refusals import told
+from ..words.refusals import user_message
 from ..words.si import named_inputs
 from .report import page_address, report_html
 
 __all__ = ["Files", "export", "making", "report"]
 
 _LOG = logging.getLogger("rotorstab.app")
-MOST_FILES, MOST_WAITING = 8, 60  # being made at a time, for one session and for all
+MOST_FILES, MOST_WAITING = 8, 60
+"""Largest numbers of files that one session waits for, and that all sessions together do."""
 
 _making: set[object] = set()
 
 
 def making() -> int:
-    """Return the number of answers of all sessions that are being made."""
+    """Return the number of files that all sessions together wait for."""
     return len(_making)
 
 
-def excuse(problem: BaseException) -> str:
-    """Return what the user is told of a file that was not made."""
+def failure_message(problem: BaseException) -> str:
+    """Return what the user is told about a file that was not made."""
     if isinstance(problem, OSError) and problem.errno in (errno.ENOSPC, errno.EDQUOT):
         return "the server’s disk is full: the file was not made"
     return "the picture could not be made: ask once more"
 
 
 class Files:
-    """What one session waits for.
+    """The files that one session waits for.
 
-    `tell` sends the browser what it did not wait for; `owner` is who the printer works for.
+    Parameters
+    ----------
+    scheduler : Scheduler
+        Of the session's document.
+    send : callable
+        Sends the browser what it did not wait for.
+    owner : State
+        On whose behalf the printer works.
     """
 
     def __init__(
-        self, scheduler: Scheduler, tell: Callable[[Mapping[str, Any]], None], owner: State
+        self, scheduler: Scheduler, send: Callable[[Mapping[str, Any]], None], owner: State
     ) -> None:
         self._scheduler = scheduler
-        self._tell = tell
+        self._send = send
         self._owner = owner
-        self._waiting: dict[object, Need | None] = {}
+        self._waiting: dict[object, Need | None] = {}  # by a ticket of each file
         scheduler.at_end(self.close)
 
     def full(self) -> bool:
         """Whether this session must wait before it asks for more.
 
-        While all sessions together ask for much, each has one file at a time.
+        While all sessions together wait for many files, each has one at a time.
         """
         most = MOST_FILES if making() < MOST_WAITING else 1
         return len(self._waiting) >= most
 
     def start(self, reply: Reply) -> Mapping[str, Any]:
-        """Return what the browser is told at once, and have the rest made and sent."""
-        if reply.then is not None:
-            need, answer = reply.then
+        """Return what the browser is sent at once, and have the rest made and sent."""
+        if reply.follow_up is not None:
+            need, answer = reply.follow_up
             if need is None or self._scheduler.document is None:  # nobody else waits
-                return {**reply.now, **self.start(answer())}
+                return {**reply.content, **self.start(answer())}
             made = background.request(need.function, *need.arguments)
-            self._follow(made, need, partial(self._go_on, need, answer), reply.failed)
-        elif reply.later is not None:
-            self._follow(reply.later, None, lambda made: reply.wrap(made.result()), reply.failed)
-        return reply.now
+            self._follow(made, need, partial(self._go_on, need, answer), reply.failure)
+        elif reply.file is not None:
+            self._follow(
+                reply.file, None, lambda made: reply.file_content(made.result()), reply.failure
+            )
+        return reply.content
 
     def _go_on(
         self, need: Need, answer: Callable[[], Reply], made: Future[Any]
     ) -> Mapping[str, Any]:
+        """Keep what was needed and start the rest of the answer."""
         need.keep(made.result())
         return self.start(answer())
 
@@ -95,9 +107,9 @@ class Files:
         made: Future[Any],
         need: Need | None,
         content: Callable[[Future[Any]], Mapping[str, Any]],
-        failed: Mapping[str, Any],
+        failure: Mapping[str, Any],
     ) -> None:
-        """Tell the browser the content that a future leads to, once that is done, or why not."""
+        """Once a future is done, send the browser the content that follows from it, or why not."""
         ticket = object()
         self._waiting[ticket] = need
         _making.add(ticket)
@@ -106,13 +118,14 @@ class Files:
             if ticket not in self._waiting:  # the session has ended
                 return
             try:
-                told = content(made)
+                message = content(made)
             except Exception as problem:
-                if not isinstance(problem, CancelledError):  # the server does not end
+                # a server that ends cancels the future: that is no fault
+                if not isinstance(problem, CancelledError):
                     _LOG.error("a file was not made", exc_info=problem)
-                told = {**failed, "told": excuse(problem)}
+                message = {**failure, "told": failure_message(problem)}
             self._forget(ticket)
-            self._tell(told)
+            self._send(message)
 
         made.add_done_callback(lambda _: self._scheduler.call(send))
 
@@ -121,7 +134,7 @@ class Files:
         return self._waiting.pop(ticket, None)
 
     def close(self) -> None:
-        """Wait for nothing any more."""
+        """Cancel everything that the session waits for."""
         printer.drop(self._owner)
         for ticket in list(self._waiting):
             need = self._forget(ticket)
@@ -130,7 +143,7 @@ class Files:
 
 
 def _file(name: str, kind: str, data: bytes) -> dict[str, Any]:
-    """Return a file as the browser takes it."""
+    """Return a file in the form that the browser saves."""
     return {
         "told": f"{name} is ready",
         "file": {"name": name, "mime": MIME[kind], "base64": b64encode(data).decode()},
@@ -138,7 +151,7 @@ def _file(name: str, kind: str, data: bytes) -> dict[str, Any]:
 
 
 def _snapshot(page: Page, state: State) -> tuple[Page, State]:
-    """Return a page and a state of now, for an answer that is made later."""
+    """Return copies of a page and a state: a file shows the page as it was at the request."""
     return copy(page), State(**state.inputs())
 
 
@@ -154,6 +167,10 @@ def export(page: Page, state: State, message: Mapping[str, Any]) -> Reply:
     return Reply({"told": "no such chart"})
 
 
+def _making_message(name: str) -> dict[str, str]:
+    return {"told": f"making {name} …"}
+
+
 def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
     name = f"rotorstab-{chart}.{kind}"
     page, state = _snapshot(page, owner)
@@ -162,25 +179,32 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
         try:
             drawn = page.compute(state).get(chart)
         except ValueError as error:
-            return Reply({"told": told(error)})
+            return Reply({"told": user_message(error)})
         if drawn is None:  # the inspector's, after its marker is gone
             return Reply({"told": "no such chart"})
-        inputs = state.inputs()
-        key = (chart, *inputs.values(), *page.stamp())
-        later = printer.file(key, chart_figure(drawn, named_inputs(inputs)), kind, owner)
-        return Reply({"told": f"making {name} …"}, later, partial(_file, name, kind))
+        file = _print_chart(drawn, chart, kind, page, state, owner)
+        return Reply(_making_message(name), file, partial(_file, name, kind))
 
-    return Reply({"told": f"making {name} …"}, then=(page.need(state), answer))
+    return Reply(_making_message(name), follow_up=(page.need(state), answer))
+
+
+def _print_chart(
+    chart: Chart, key: str, kind: str, page: Page, state: State, owner: State
+) -> Future[bytes]:
+    """Return the future of a chart's file; equal charts are printed once."""
+    inputs = state.inputs()
+    cache_key = (key, *inputs.values(), *page.cache_key())
+    return printer.file(cache_key, chart_figure(chart, named_inputs(inputs)), kind, owner)
 
 
 def _export_figure(owner: State, number: int, floquet: bool, kind: str) -> Reply:
     name = f"rotorstab-figure-{number}{'-floquet' if floquet else ''}.{kind}"
 
     def answer() -> Reply:
-        later = printer.file((number, floquet), paper_figure(number, floquet), kind, owner)
-        return Reply({"told": f"making {name} …"}, later, partial(_file, name, kind))
+        file = printer.file((number, floquet), paper_figure(number, floquet), kind, owner)
+        return Reply(_making_message(name), file, partial(_file, name, kind))
 
-    return Reply({"told": f"making {name} …"}, then=(figure_need(number, floquet), answer))
+    return Reply(_making_message(name), follow_up=(figure_need(number, floquet), answer))
 
 
 def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) -> Reply:
@@ -191,34 +215,33 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
     def answer() -> Reply:
         try:
             result = solve(state)
-            drawn = page.compute(state)
-            said = page.answer(state)
+            charts = page.compute(state)
+            content = page.answer(state)
         except ValueError as error:
-            return Reply({"told": told(error)})
-        inputs = state.inputs()
-        stamp = page.stamp()
+            return Reply({"told": user_message(error)})
         pictures = {
-            drawn[key].title: printer.file(
-                (key, *inputs.values(), *stamp),
-                chart_figure(drawn[key], named_inputs(inputs)),
-                "svg",
-                owner,
-            )
+            charts[key].title: _print_chart(charts[key], key, "svg", page, state, owner)
             for key in CHARTS
         }
-        words = [said["verdict"]]
-        if said["inspector"]:
-            words.append(f"The marked point: {said['inspector']['sentence']}")
-        if said["pins"]:
-            names = ", ".join(one["name"] for one in said["pins"]["names"])
-            words.append(f"Thin lines are pinned curves of earlier settings: {names}.")
 
-        def wrap(made: list[bytes]) -> dict[str, Any]:
-            titled = {title: svg.decode() for title, svg in zip(pictures, made, strict=True)}
+        def file_content(svgs: list[bytes]) -> dict[str, Any]:
+            by_title = {title: svg.decode() for title, svg in zip(pictures, svgs, strict=True)}
             address = page_address(message.get("at"))
-            html = report_html(state, result.numbers, words, titled, query, address)
+            paragraphs = _paragraphs(content)
+            html = report_html(state, result.numbers, paragraphs, by_title, query, address)
             return _file(name, "html", html.encode())
 
-        return Reply({"told": f"making {name} …"}, gather(list(pictures.values())), wrap)
+        return Reply(_making_message(name), gather(list(pictures.values())), file_content)
 
-    return Reply({"told": f"making {name} …"}, then=(page.need(state), answer))
+    return Reply(_making_message(name), follow_up=(page.need(state), answer))
+
+
+def _paragraphs(content: Mapping[str, Any]) -> list[str]:
+    """Return the text of the report from what the Explore page answers."""
+    paragraphs = [content["verdict"]]
+    if content["inspector"]:
+        paragraphs.append(f"The marked point: {content['inspector']['sentence']}")
+    if content["pins"]:
+        names = ", ".join(pin["name"] for pin in content["pins"]["names"])
+        paragraphs.append(f"Thin lines are pinned curves of earlier settings: {names}.")
+    return paragraphs

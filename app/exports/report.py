@@ -8,6 +8,7 @@ from html import escape
 from typing import Any
 
 from ..lessons.markdown import plain
+from ..results.growth import shows_growth
 from ..state import SYMBOLS, State
 from ..words.si import key_numbers, load_in, named_inputs, shown_scales
 
@@ -104,7 +105,7 @@ def report_html(
         for name, words_ in _NUMBERS.items()
     ]
     for name, (real, imaginary) in shown["whirl"].items():
-        grows = f" {imaginary:+.6g}j" if abs(imaginary) > 1e-9 else ""
+        grows = f" {imaginary:+.6g}j" if shows_growth(imaginary) else ""
         if si and grows:
             word = "decays" if imaginary > 0 else "grows"
             grows = f", {word} by {abs(imaginary):.6g} 1/s"

@@ -6,7 +6,8 @@ Format and quantities: docs/lessons.md.
 from .format import Lesson, Step, parse
 from .grading import Grade, Unanswerable, grade, solution
 from .library import Problem, library, read_folder
-from .quantities import QUANTITIES, Quantity
+from .quantities import QUANTITIES
+from .quantity import Quantity
 from .questions import Question
 from .tables import LessonError
 

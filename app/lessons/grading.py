@@ -1,4 +1,4 @@
-"""Answers, computed when they are asked for, and what a student's answer is told."""
+"""The answers of questions, computed when asked for, and the grade of a student's answer."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..reading.numbers import TwoReadings, read_number
-from ..words.refusals import told as in_words
+from ..words.refusals import user_message
+from .evaluation import evaluate
 from .expressions import DEFAULT_CASE, Values
 from .format import Lesson, Step
 from .markdown import plain
-from .quantities import evaluate
-from .questions import case_inputs
+from .questions import Question, case_inputs
 
 __all__ = ["Grade", "Unanswerable", "grade", "number_text", "solution", "unanswerable"]
 
@@ -29,7 +29,16 @@ class Unanswerable(ValueError):
 
 @dataclass(frozen=True)
 class Grade:
-    """Whether an answer is right, and what is said (HTML)."""
+    """The grade of a student's answer.
+
+    Parameters
+    ----------
+    right : bool
+    words : str
+        What the student reads, HTML.
+    counted : bool
+        Whether it counts as an attempt; what is no number does not.
+    """
 
     right: bool
     words: str
@@ -44,7 +53,7 @@ def number_text(value: float) -> str:
 
 
 def _values(step: Step, after: Mapping[str, Any] | None = None) -> Values:
-    """Return the quantities at the step's cases, with other inputs for the plain one."""
+    """Return a function for quantities at a step's cases; `after` replaces the inputs after Try."""
 
     def value(name: str, case: str) -> float:
         load = None
@@ -68,28 +77,31 @@ def solution(step: Step) -> float | int | None:
         If the solver has no number, not exactly one choice holds, or the step's own Try does
         not reach the goal.
     """
-    question, values = step.question, _values(step)
     try:
-        if question.answer:
-            value = question.answer.value(values)
-            if not math.isfinite(value):
-                raise Unanswerable("the solver has no number for this answer")
-            if question.range and not question.range[0] <= value <= question.range[1]:
-                raise Unanswerable(f"the answer, {number_text(value)}, is out of its range")
-            return value
-        if question.goal:
-            if not question.goal.holds(values, question.tolerance):
-                raise Unanswerable("the goal is not reached by what Try sets")
-            return None
-        right = [
-            index
-            for index, choice in enumerate(question.choices)
-            if choice.when.holds(values, question.tolerance)
-        ]
+        return _solution(step.question, _values(step))
     except Unanswerable:
         raise
     except ValueError as error:
         raise Unanswerable(str(error)) from None
+
+
+def _solution(question: Question, values: Values) -> float | int | None:
+    if question.answer:
+        value = question.answer.value(values)
+        if not math.isfinite(value):
+            raise Unanswerable("the solver has no number for this answer")
+        if question.range and not question.range[0] <= value <= question.range[1]:
+            raise Unanswerable(f"the answer, {number_text(value)}, is out of its range")
+        return value
+    if question.goal:
+        if not question.goal.holds(values, question.tolerance):
+            raise Unanswerable("the goal is not reached by what Try sets")
+        return None
+    right = [
+        index
+        for index, choice in enumerate(question.choices)
+        if choice.when.holds(values, question.tolerance)
+    ]
     if len(right) != 1:
         raise Unanswerable(f"{len(right)} choices are right, and it must be one")
     return right[0]
@@ -121,7 +133,7 @@ def _number(value: Any) -> float | None:
         return None
 
 
-def told(step: Step) -> str:
+def solver_answer(step: Step) -> str:
     """Return the solver's answer as HTML."""
     question, answer = step.question, solution(step)
     if question.kind == "number":
@@ -136,53 +148,66 @@ def told(step: Step) -> str:
 
 
 def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
-    """Return what a student's answer is told.
+    """Return whether a student's answer is right, and what the student reads about it.
 
     Parameters
     ----------
     step : Step
     value : object
-        What came from the browser: a number or its text, or a choice's index.
+        What the browser sent: a number or its text, or a choice's index.
     inputs : mapping
-        The page's inputs as the student has set them. A goal is asked of those that the step
-        or its Try moves; the others count as they were when it began.
+        The page's inputs as the student has set them. A goal is tested with those that the step
+        or its Try moves; the others count as they were when the step began.
 
     Raises
     ------
     Unanswerable
         If the solver has no answer.
     """
-    question = step.question
-    if question.kind == "goal":
-        assert question.goal is not None
-        try:
-            tried = {name for name, value in step.after.items() if value != step.before[name]}
-            moved = {name: inputs[name] for name in {*step.move, *tried}}
-            if question.goal.holds(_values(step, {**step.before, **moved}), question.tolerance):
-                return Grade(True, "You are there.")
-            elsewhere = question.goal.holds(_values(step, inputs), question.tolerance)
-        except ValueError as error:
-            return Grade(False, str(plain(f"No answer: {in_words(error)}.")))
-        return Grade(False, _OTHERWISE if elsewhere else question.hint)
+    if step.question.kind == "goal":
+        return _grade_goal(step, inputs)
     answer = solution(step)
+    assert answer is not None  # only a goal has no number
     try:
         number = _number(value)
     except TwoReadings as error:
         return Grade(False, str(plain(f"{error}.")), counted=False)
-    if question.kind == "choice":
-        if number is None or not number.is_integer() or not 0 <= number < len(question.choices):
-            return Grade(False, _NOT_YET, counted=False)
-        chosen = question.choices[int(number)]
-        if int(number) == answer:
-            return Grade(True, "Yes.")
-        return Grade(False, chosen.hint or question.hint)
-    assert answer is not None
+    if step.question.kind == "choice":
+        return _grade_choice(step.question, number, answer)
+    return _grade_number(step, number, answer)
+
+
+def _grade_goal(step: Step, inputs: Mapping[str, Any]) -> Grade:
+    question = step.question
+    assert question.goal is not None
+    try:
+        tried = {name for name, value in step.after.items() if value != step.before[name]}
+        moved = {name: inputs[name] for name in {*step.move, *tried}}
+        if question.goal.holds(_values(step, {**step.before, **moved}), question.tolerance):
+            return Grade(True, "You are there.")
+        elsewhere = question.goal.holds(_values(step, inputs), question.tolerance)
+    except ValueError as error:
+        return Grade(False, str(plain(f"No answer: {user_message(error)}.")))
+    return Grade(False, _OTHERWISE if elsewhere else question.hint)
+
+
+def _grade_choice(question: Question, number: float | None, right: float) -> Grade:
+    if number is None or not number.is_integer() or not 0 <= number < len(question.choices):
+        return Grade(False, _NOT_YET, counted=False)
+    if number == right:
+        return Grade(True, "Yes.")
+    return Grade(False, question.choices[int(number)].hint or question.hint)
+
+
+def _grade_number(step: Step, number: float | None, right: float) -> Grade:
+    question = step.question
     if number is None:
         return Grade(False, _NOT_A_NUMBER, counted=False)
     if question.range and not question.range[0] <= number <= question.range[1]:
         low, high = map(number_text, question.range)
         return Grade(False, f"A number from {low} to {high}, please.", counted=False)
-    allowed = question.tolerance * (abs(answer) if question.relative else 1.0)
-    if abs(number - answer) <= allowed * (1 + 1e-9):
-        return Grade(True, f"Yes. {told(step)}")
+    allowed = question.tolerance * (abs(right) if question.relative else 1.0)
+    # a number at the very edge of the tolerance is right, whatever rounding adds
+    if abs(number - right) <= allowed * (1 + 1e-9):
+        return Grade(True, f"Yes. {solver_answer(step)}")
     return Grade(False, question.hint)

@@ -1,74 +1,22 @@
-"""What a question may ask for: computed quantities by name, each from the page's inputs alone."""
+"""The quantities that a question may ask for, by name; each follows from the page's inputs alone.
+
+A new quantity is one more entry of `QUANTITIES`.
+"""
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from rotorstab import in_bolotin_region
 
-from ..results.caches import shared_cache
 from ..results.curves import flutter
-from ..state import State
+from ..results.growth import Motion, motion_of
+from .quantity import Quantity
 from .situation import Situation
 
-__all__ = ["QUANTITIES", "Quantity", "evaluate", "find"]
-
-_NUMBERS = tuple(
-    name for name, value in State().inputs().items() if isinstance(value, float) and name != "name"
-)
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """A named number of a situation.
-
-    Parameters
-    ----------
-    form : str
-        As a teacher writes it, with <mode>, <pair>, <n> or <name> for its parts.
-    label : str
-        A few words and the symbol for the lesson's panel, with {0} for its part.
-    doc : str
-        One line for the documentation.
-    compute : callable
-        From the situation and the parts.
-    flag : bool
-        Whether it is 1 for yes and 0 for no.
-    at_factor : bool
-        Whether it is of the marker's β_d, marker or not, which is then said with it.
-    """
-
-    form: str
-    label: str
-    doc: str
-    compute: Callable[..., float]
-    flag: bool = False
-    at_factor: bool = False
-
-    @cached_property
-    def pattern(self) -> re.Pattern[str]:
-        """The form as a regular expression with a group for each part."""
-        text = re.escape(self.form)
-        for part, expression in _PARTS.items():
-            text = text.replace(re.escape(part), f"({expression})")
-        return re.compile(text)
-
-
-_MODE = "[1-4][BF]"
-_PARTS = {
-    "<mode>": _MODE,
-    "<pair>": f"{_MODE}\\+{_MODE}",
-    "<n>": "[1-9]",
-    "<way>": "forward|backward",
-    "<name>": "|".join(_NUMBERS),
-}
+__all__ = ["QUANTITIES", "find"]
 
 
 def _speed(at: Situation, way: str, number: str = "1") -> float:
@@ -206,7 +154,7 @@ QUANTITIES = (
         "unstable",
         "unstable at the marker",
         "1 where the rotor is unstable at the marker, from Floquet, else 0",
-        lambda at: float(at.floquet.growth_rate > max(1e-7, 3 * at.floquet.error)),
+        lambda at: float(motion_of(at.floquet) is Motion.GROWS),
         True,
     ),
     Quantity(
@@ -242,47 +190,3 @@ def find(name: str) -> tuple[Quantity, tuple[str, ...]] | None:
         if match := quantity.pattern.fullmatch(name):
             return quantity, match.groups()
     return None
-
-
-@shared_cache(64)
-def _situation(items: tuple[tuple[str, Any], ...], load: float | None) -> Situation:
-    return Situation(dict(items), load)
-
-
-@shared_cache(512)
-def _evaluate(name: str, items: tuple[tuple[str, Any], ...], load: float | None) -> float:
-    found = find(name)
-    if found is None:
-        raise ValueError(f"no quantity named {name!r}")
-    quantity, parts = found
-    try:
-        return float(quantity.compute(_situation(items, load), *parts))
-    except KeyError:
-        raise ValueError(
-            f"{name!r}: there is no such pair of modes; write B before F and 1 before 2"
-        ) from None
-
-
-def evaluate(name: str, inputs: Mapping[str, Any], load: float | None = None) -> float:
-    """Return a quantity for one set of inputs.
-
-    Parameters
-    ----------
-    name : str
-        Such as "whirl.1F".
-    inputs : mapping
-        Every input of `State`, by name.
-    load : float, optional
-        Steady load p̄₀ instead of α_s times the reference; tension below 0 [EI/L²].
-
-    Returns
-    -------
-    float
-        NaN or inf where the rotor has no such number.
-
-    Raises
-    ------
-    ValueError
-        If there is no such quantity, or these inputs have no answer.
-    """
-    return _evaluate(name, tuple(inputs.items()), load)

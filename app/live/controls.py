@@ -149,6 +149,6 @@ class Controls(pn.custom.JSComponent):
         with set_curdoc(doc):
             self._process_event(event)
 
-    def tell(self, content: Mapping[str, Any]) -> None:
+    def send(self, content: Mapping[str, Any]) -> None:
         """Send the browser something it did not wait for."""
         self._send_msg(dict(content))

@@ -27,10 +27,10 @@ FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
 
 @dataclass(frozen=True)
 class Need:
-    """What takes long and must be there before an answer: a call, and what keeps its result.
+    """A call that takes long and must be made before an answer, and what keeps its result.
 
-    Function, arguments and result can be pickled, and the arguments be hashed: another process
-    makes the call.
+    Another process makes the call: its function, arguments and result can be pickled, and its
+    arguments be hashed.
     """
 
     function: Callable[..., Any]
@@ -40,20 +40,36 @@ class Need:
 
 @dataclass(frozen=True)
 class Reply:
-    """What is answered to a message: `now`, and what follows.
+    """How a message is answered.
 
-    `later` is a file that is being made, `wrap` returns what the browser is sent of it. `then`
-    returns the rest of the answer, once what it needs is there. `failed` is sent, with the reason,
-    where what follows cannot be made.
+    Parameters
+    ----------
+    content : mapping
+        What the browser is sent at once.
+    file : Future or None
+        A file that is being made, or several.
+    file_content : callable
+        Returns what the browser is sent of the file.
+    follow_up : (Need or None, callable) or None
+        What must be made first, and a function that then returns the rest of the answer.
+    failure : mapping
+        What the browser is sent, with the reason, if the file or what is needed cannot be made.
+    errors : mapping of str to str
+        The reason for each input that was refused.
+    reset_view : bool
+        Whether every zoom is undone.
+    keep_colours : bool or None
+        Whether the colour scales of maps only grow from now on; None leaves that as it is.
     """
 
-    now: Mapping[str, Any] = field(default_factory=dict)
-    later: Future[Any] | None = None
-    wrap: Callable[[Any], Mapping[str, Any]] = dict
+    content: Mapping[str, Any] = field(default_factory=dict)
+    file: Future[Any] | None = None
+    file_content: Callable[[Any], Mapping[str, Any]] = dict
+    follow_up: tuple[Need | None, Callable[[], Reply]] | None = None
+    failure: Mapping[str, Any] = field(default_factory=dict)
+    errors: Mapping[str, str] = field(default_factory=dict)
     reset_view: bool = False
     keep_colours: bool | None = None
-    then: tuple[Need | None, Callable[[], Reply]] | None = None
-    failed: Mapping[str, Any] = field(default_factory=dict)
 
 
 class Page:
@@ -68,7 +84,7 @@ class Page:
     chart_keys: ClassVar[tuple[str, ...]] = ()
     # types of messages that this page answers whichever page is in view
     takes: ClassVar[frozenset[str]] = frozenset()
-    # whether the page's document is still being built, before the browser's first message
+    # True until the browser's first message: the page's document is still being built
     opening = False
 
     def __init__(self) -> None:
@@ -84,44 +100,44 @@ class Page:
 
     def roots(self) -> dict[str, Any]:
         """Return the page's Panel roots by the name its layout uses."""
-        return {f"{self.key}_{key}".replace("-", "_"): one for key, one in self._places.items()}
+        return {f"{self.key}_{key}".replace("-", "_"): place for key, place in self._places.items()}
 
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the page's charts for the present inputs, coarser while they move."""
         raise NotImplementedError
 
     def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
-        """Return what else the browser needs, as plain values."""
+        """Return what the browser is sent besides the charts, as plain values."""
         return {}
 
     def awaited(self, state: State) -> Window | None:
-        """Return the window whose full map must be made before `show` is quick, if any."""
+        """Return the window whose refined map is not there yet, if the page shows one."""
         return None
 
     def need(self, state: State) -> Need | None:
-        """Return what must be made before the full charts are computed quickly, if anything."""
+        """Return what must be made before the refined charts are computed quickly, if anything."""
         window = self.awaited(state)
         if window is None:
             return None
         wanted = window, Detail.REFINED
         return Need(floquet_map, wanted, partial(keep, *wanted))
 
-    def stamp(self) -> tuple[Any, ...]:
-        """Return what tells the charts from others of the same inputs; all of it can be hashed."""
+    def cache_key(self) -> tuple[Any, ...]:
+        """Return, hashable, what besides the inputs decides what the charts show."""
         return ()
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Answer a message that only this page knows."""
         return Reply()
 
-    def kept(self) -> Sequence[PinnedInputs]:
+    def pin_inputs(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
         return ()
 
-    def expect(self, pins: Sequence[PinnedInputs]) -> None:
-        """Take the pins of an address; `restore_next` solves them one by one."""
+    def set_address_pins(self, pins: Sequence[PinnedInputs]) -> None:
+        """Note the pins of an address; `restore_next_pin` solves them one by one."""
 
-    def restore_next(self) -> str | None:
+    def restore_next_pin(self) -> str | None:
         """Solve one pin of the address.
 
         Return None if no pin was waiting, else the pin's name and reason if it has no answer, else
@@ -129,12 +145,12 @@ class Page:
         """
         return None
 
-    def beside(self, state: State) -> dict[str, Any]:
-        """Return what this page adds to the answers of the page in view."""
+    def sidebar_answer(self, state: State) -> dict[str, Any]:
+        """Return what this page adds to every answer, whichever page is in view."""
         return {}
 
     def visible(self, state: State) -> dict[str, bool]:
-        """Return which layers are shown or hidden by choice."""
+        """Return by label whether the user has switched a layer on."""
         return {}
 
     def show(self, state: State, detail: Detail = Detail.REFINED) -> None:
@@ -150,10 +166,10 @@ class Page:
             self.charts[key].set_visible(self.visible(state))
 
     def built(self, key: str, chart: LiveChart) -> None:
-        """Do what a chart needs once, when it has been built."""
+        """Complete a chart that has just been built."""
 
     def keep_colours(self, keep: bool) -> None:
-        """Let the scales of the maps only grow, or let them go."""
+        """Let the colour scales of the maps only grow, or fit each map again."""
         for chart in self.charts.values():
             chart.keep_colours(keep)
 

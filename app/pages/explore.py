@@ -20,11 +20,11 @@ from ..results.window import Window
 from ..state import SYMBOLS, State
 from ..state.address import MOST_PINS, PinnedInputs
 from ..state.rotor_file import read_rotor_file, write_rotor_file
-from ..words.refusals import told
+from ..words.refusals import user_message
 from ..words.si import displayed, shaft_words, shown_scales, si_answer
 from ..words.verdict import verdict, verdict_room
 from .base import FRAGMENTS, Page, Reply
-from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, marked
+from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
 from .pins import Pin, differences, ghosted, pin, solved
 
 __all__ = ["Explore"]
@@ -60,7 +60,7 @@ class Explore(Page):
         The map of growth is coarser while sliders move.
         """
         result = solve(state, detail)
-        charts = marked(result.charts, state, result) if state.marker else result.charts
+        charts = with_marks(result.charts, state, result) if state.marker else result.charts
         charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
         if state.marker and not self.opening:
             inspection = self._inspect(state, result)
@@ -76,7 +76,7 @@ class Explore(Page):
             return None
         return None if known_detail(window) is Detail.REFINED else window
 
-    def stamp(self) -> tuple[Any, ...]:
+    def cache_key(self) -> tuple[Any, ...]:
         """Return what tells these charts from others of the same inputs."""
         return tuple((one.name, one.number, *one.inputs.values()) for one in self.pins)
 
@@ -86,7 +86,7 @@ class Explore(Page):
         try:
             return inspect(state, result)
         except ValueError as error:
-            return told(error)
+            return user_message(error)
 
     def visible(self, state: State) -> dict[str, bool]:
         """Return the layers of the instability chart that can be switched."""
@@ -112,9 +112,9 @@ class Explore(Page):
         kind = message.get("type")
         if kind == "pin":
             try:
-                made = pin(state, message.get("label"), self.kept())
+                made = pin(state, message.get("label"), self.pin_inputs())
             except ValueError as error:
-                return Reply({"told": told(error)})
+                return Reply({"told": user_message(error)})
             if made is None:
                 return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
             self.pins = sorted([*self.pins, made], key=lambda one: one.number)
@@ -125,15 +125,15 @@ class Explore(Page):
             self.pins = [one for one in self.pins if one.number != message.get("number")]
         return Reply()
 
-    def kept(self) -> Sequence[PinnedInputs]:
+    def pin_inputs(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
         return sorted([*self.pins, *self._expected], key=lambda one: one.number)
 
-    def expect(self, pins: Sequence[PinnedInputs]) -> None:
+    def set_address_pins(self, pins: Sequence[PinnedInputs]) -> None:
         """Take the pins of an address."""
         self._expected = list(pins)
 
-    def restore_next(self) -> str | None:
+    def restore_next_pin(self) -> str | None:
         """Solve one pin of the address; return None if no pin was waiting."""
         if not self._expected:
             return None
@@ -141,7 +141,7 @@ class Explore(Page):
         try:
             self.pins = sorted([*self.pins, solved(one)], key=lambda pin: pin.number)
         except ValueError as error:
-            return f"p{one.number} ({told(error)})"
+            return f"p{one.number} ({user_message(error)})"
         except Exception:
             _LOG.exception("a pin of the address failed: %r", one.inputs)
             return f"p{one.number} (it could not be computed)"
@@ -170,7 +170,7 @@ class Explore(Page):
             return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
         return Reply({"shaft_error": "", "told": "the rotor file is open"})
 
-    def beside(self, state: State) -> dict[str, Any]:
+    def sidebar_answer(self, state: State) -> dict[str, Any]:
         """Return what the shaft in SI gives, for the sidebar, which every page has."""
         return {"shaft": shaft_words(state)}
 

@@ -11,9 +11,10 @@ from typing import Any
 from markupsafe import Markup
 
 from ..lessons import Lesson, Step, Unanswerable, grade, library
-from ..lessons.grading import number_text, told
+from ..lessons.evaluation import evaluate
+from ..lessons.grading import number_text, solver_answer
 from ..lessons.markdown import plain
-from ..lessons.quantities import evaluate, find
+from ..lessons.quantities import find
 from ..live.controls import field
 from ..results.limits import Detail
 from ..state import SYMBOLS, State
@@ -175,12 +176,12 @@ class Lessons(Page):
 
     def _told(self, step: Step) -> dict[str, Any]:
         try:
-            words = told(step)
+            words = solver_answer(step)
         except Unanswerable:
             words = "The solver has no answer here."
         return {"right": False, "counted": True, "words": words, "shown": True}
 
-    def beside(self, state: State) -> dict[str, Any]:
+    def sidebar_answer(self, state: State) -> dict[str, Any]:
         """Return the numbers that the running step follows."""
         step = self.step
         if step is None:

@@ -129,14 +129,14 @@ class Paper(Page):
 
         def answer() -> Reply:
             return Reply(
-                now={"figure": describe(number, floquet), "table_1": describe_table()},
-                later=printer.file((number, floquet), paper_figure(number, floquet), "svg", state),
-                wrap=lambda svg: {
+                content={"figure": describe(number, floquet), "table_1": describe_table()},
+                file=printer.file((number, floquet), paper_figure(number, floquet), "svg", state),
+                file_content=lambda svg: {
                     "picture": {"number": number, "floquet": floquet, "svg": svg.decode()}
                 },
-                failed=NOT_DRAWN,
+                failure=NOT_DRAWN,
             )
 
         need = figure_need(number, floquet)
         words = {} if need is None else {"told": f"computing figure {number} with Floquet …"}
-        return Reply(words, then=(need, answer), failed=NOT_DRAWN)
+        return Reply(words, follow_up=(need, answer), failure=NOT_DRAWN)

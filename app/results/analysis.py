@@ -1,12 +1,11 @@
-"""From inputs to charts and key numbers: pure, cached, shared by all sessions.
+"""From inputs to charts and key numbers: pure functions, cached and shared by all sessions.
 
-Caches are keyed by the inputs that matter to a result, so a slider recomputes only what
-it changes. Their size is bounded; their arrays are read-only.
+The key of a cache holds the inputs that a result depends on and no others, so a slider recomputes
+only what it changes.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -21,112 +20,46 @@ from rotorstab.charts import (
     instability_chart,
     load_frequency_chart,
 )
-from rotorstab.maps.stability_map import StabilityChart
 
 from ..state import State
 from .caches import shared_cache
 from .curves import campbell, flutter, load_curves, reference_load, rotor_numbers, whirl_numbers
+from .floquet_answer import TABLE_FACTOR, FloquetAnswer, floquet_answer
 from .growth_maps import known_map
 from .limits import Detail
 from .model import Model, model_of
-from .window import Window
+from .window import FloquetMap, Window
 
 __all__ = [
     "CHARTS",
-    "FloquetAnswer",
     "Result",
     "solve",
     "window_of",
 ]
 
 CHARTS = ("instability", "load-frequency", "campbell")
-BOUNDARY_ROWS = 120
-TABLE_FACTOR = 0.1  # β_d at which the resonance table and its widths are told
-
-
-@dataclass(frozen=True, eq=False)
-class FloquetAnswer:
-    """What Floquet says of the chart's window.
-
-    Parameters
-    ----------
-    table : ResonanceTable
-        Every pair of modes at β_d = 0.1.
-    frequency_range : (float, float)
-        Of the chart, in ω_n.
-    fundamental_frequency, reference_load : float
-        ω_n and what β_d = 1 stands for.
-    unstable_share, bolotin_share, both_share : float
-        Shares of the computed part of the chart, NaN where nothing is.
-    unstable_from : float
-        Lowest β_d of an unstable pixel, inf where there is none.
-    detail : Detail
-        Of the growth map: on a coarse one thin tongues have no true area.
-    followed_from : float
-        θ/ω_n below which the map is blank: the load is too slow to be followed; 0 where it is not.
-    ends_at : float
-        β_d above which the map is blank, since the exact law ends; inf where it does not.
-    unknown_share : float
-        Share of the other pixels that are blank: the growth within a period is too strong there.
-    has_tongues : bool
-        Whether the window holds a tongue, be it too thin for the centre of any pixel.
-    """
-
-    table: ResonanceTable
-    frequency_range: tuple[float, float]
-    fundamental_frequency: float
-    reference_load: float
-    unstable_share: float
-    bolotin_share: float
-    both_share: float
-    unstable_from: float = math.inf
-    detail: Detail = Detail.REFINED
-    followed_from: float = 0.0
-    ends_at: float = math.inf
-    unknown_share: float = 0.0
-    has_tongues: bool = False
+BOUNDARY_ROWS = 120  # loads at which Bolotin's boundaries are computed
+_ROUNDING = 1e-12  # by which Ī_P may exceed 2 Ī_D and still be equal
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """What the Explore page shows for one set of inputs."""
+    """What the Explore page shows for one set of inputs.
+
+    Parameters
+    ----------
+    charts : dict of str to Chart
+        Non-dimensional, by key.
+    numbers : dict
+        Key numbers, non-dimensional: loads "buckling", "flutter" (or None), "static_load" and
+        "reference", ω_n as "fundamental", [real, imaginary] of each "whirl" by mode, and whether
+        the disk can be a "rigid" body.
+    floquet : FloquetAnswer
+    """
 
     charts: dict[str, Chart]
     numbers: dict[str, Any]
     floquet: FloquetAnswer
-
-
-def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> float:
-    """Return the lowest θ/ω_n that the map shows, inf where it is blank, 0 where it is whole."""
-    known = np.isfinite(growth.growth).any(axis=0)
-    if known.all():
-        return 0.0
-    shown = growth.excitation_frequencies[known]
-    return float(shown.min()) / fundamental_frequency if shown.size else np.inf
-
-
-def _unknown_share(growth: StabilityChart) -> float:
-    """Return the share of blank pixels in the rows and columns that are not blank as a whole."""
-    known = np.isfinite(growth.growth)
-    inside = known[np.ix_(known.any(axis=1), known.any(axis=0))]
-    return float(1 - inside.mean()) if inside.size else 0.0
-
-
-def _shares(growth: StabilityChart, mask: np.ndarray, reference: float) -> dict[str, float]:
-    """Return the shares of the window's computed part, and the lowest unstable β_d."""
-    known = np.isfinite(growth.growth)
-    # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
-    grows = (growth.growth > growth.error) & known
-    rows = growth.pulsating_loads[grows.any(axis=1)]
-    count = int(known.sum())
-    return {
-        name: int((part & known).sum()) / count if count else math.nan
-        for name, part in (
-            ("unstable_share", grows),
-            ("bolotin_share", mask),
-            ("both_share", mask & grows),
-        )
-    } | {"unstable_from": float(rows.min()) / reference if rows.size else math.inf}
 
 
 def _loads(inputs: Mapping[str, Any], system: System) -> tuple[float, float]:
@@ -151,7 +84,7 @@ def _loads(inputs: Mapping[str, Any], system: System) -> tuple[float, float]:
 
 
 def _window(inputs: Mapping[str, Any]) -> Window:
-    """Return what the growth map depends on."""
+    """Return the window of the growth map."""
     model: Model = inputs["model"]
     spin, tangency = inputs["spin_speed"], inputs["tangency"]
     frequency = rotor_numbers(model.rotor)[1]
@@ -171,74 +104,98 @@ def _window(inputs: Mapping[str, Any]) -> Window:
 def _solve(items: tuple[tuple[str, Any], ...], detail: Detail) -> Result:
     inputs = dict(items)
     model: Model = inputs["model"]
-    rotor, spin, tangency = model.rotor, inputs["spin_speed"], inputs["tangency"]
-    buckling, frequency, _ = rotor_numbers(rotor)
-    top = inputs["largest_factor"]
-    frequency_range = (inputs["lowest_frequency"], inputs["highest_frequency"])
+    spin, tangency = inputs["spin_speed"], inputs["tangency"]
+    frequency = rotor_numbers(model.rotor)[1]
     system = model.system(spin, tangency)
     reference, static = _loads(inputs, system)
-    plain = model.undamped().system(spin, tangency)
-    ends_at = (system.largest_load - static) / reference
-    flutter_now = flutter(rotor, spin)
     made = known_map(_window(inputs), detail)
-    growth, mask = made.growth, made.mask
-    grid = GrowthGrid(
-        growth.growth,
-        growth.unstable,
-        mask,
-        inputs["growth_unit"] == "per period",
-        made.outlines,
-    )
     table = resonances(system, static, TABLE_FACTOR * reference)
-    curves = load_curves(model, spin, tangency, inputs["stiffness"])
-    # the flutter load is that of the linear law, whatever the curves are of
-    has_exact = any(name.endswith(" exact") for name in curves)
+    ends_at = (system.largest_load - static) / reference
     charts = (
-        instability_chart(
-            bolotin_chart(plain, static, min(top, ends_at) * reference, BOUNDARY_ROWS),
-            frequency,
-            reference,
-            frequency_range,
-            top,
-            grid,
-            [(row.centre / frequency, row.name) for row in table.tongues],
-        ),
-        load_frequency_chart(
-            curves,
-            static,
-            {"buckling": buckling, "flutter, linear" if has_exact else "flutter": flutter_now},
-        ),
+        _instability_chart(inputs, made, table, (reference, static), ends_at),
+        _load_frequency_chart(inputs, static),
         campbell_chart(campbell(model, tangency, static), spin, critical_speeds(system, static)),
     )
     return Result(
         charts={chart.key: chart for chart in charts},
-        numbers={
-            "buckling": buckling,
-            "fundamental": frequency,
-            "flutter": flutter_now if np.isfinite(flutter_now) else None,
-            "static_load": static,
-            "reference": reference,
-            "whirl": whirl_numbers(system, static),
-            "rigid": rotor.polar_inertia <= 2 * rotor.diametral_inertia * (1 + 1e-12),
-        },
-        floquet=FloquetAnswer(
-            table=table,
-            frequency_range=frequency_range,
-            fundamental_frequency=frequency,
-            reference_load=reference,
-            **_shares(growth, mask, reference),
-            detail=detail,
-            followed_from=_followed_from(growth, frequency),
-            ends_at=ends_at if ends_at < top else math.inf,
-            unknown_share=_unknown_share(growth),
-            has_tongues=bool(made.outlines)
-            or any(
-                row.threshold < top * reference
-                and frequency_range[0] < row.centre / frequency < frequency_range[1]
-                for row in table.tongues
-            ),
+        numbers=_key_numbers(inputs, system, reference, static),
+        floquet=floquet_answer(
+            made,
+            table,
+            detail,
+            fundamental=frequency,
+            reference=reference,
+            frequency_range=_frequency_range(inputs),
+            largest_factor=inputs["largest_factor"],
+            ends_at=ends_at,
         ),
     )
+
+
+def _frequency_range(inputs: Mapping[str, Any]) -> tuple[float, float]:
+    return inputs["lowest_frequency"], inputs["highest_frequency"]
+
+
+def _instability_chart(
+    inputs: Mapping[str, Any],
+    made: FloquetMap,
+    table: ResonanceTable,
+    loads: tuple[float, float],
+    ends_at: float,
+) -> Chart:
+    model: Model = inputs["model"]
+    frequency = rotor_numbers(model.rotor)[1]
+    reference, static = loads
+    top = inputs["largest_factor"]
+    undamped = model.undamped().system(inputs["spin_speed"], inputs["tangency"])
+    grid = GrowthGrid(
+        made.growth.growth,
+        made.growth.unstable,
+        made.mask,
+        inputs["growth_unit"] == "per period",
+        made.outlines,
+    )
+    return instability_chart(
+        bolotin_chart(undamped, static, min(top, ends_at) * reference, BOUNDARY_ROWS),
+        frequency,
+        reference,
+        _frequency_range(inputs),
+        top,
+        grid,
+        [(row.centre / frequency, row.name) for row in table.tongues],
+    )
+
+
+def _load_frequency_chart(inputs: Mapping[str, Any], static: float) -> Chart:
+    model: Model = inputs["model"]
+    spin = inputs["spin_speed"]
+    curves = load_curves(model, spin, inputs["tangency"], inputs["stiffness"])
+    # the flutter load is that of the linear law, whatever law the curves are of
+    has_exact = any(name.endswith(" exact") for name in curves)
+    limits = {
+        "buckling": rotor_numbers(model.rotor)[0],
+        "flutter, linear" if has_exact else "flutter": flutter(model.rotor, spin),
+    }
+    return load_frequency_chart(curves, static, limits)
+
+
+def _key_numbers(
+    inputs: Mapping[str, Any], system: System, reference: float, static: float
+) -> dict[str, Any]:
+    """Return the key numbers of the page, non-dimensional; `Result` says which."""
+    rotor = inputs["model"].rotor
+    buckling, frequency, _ = rotor_numbers(rotor)
+    flutter_load = flutter(rotor, inputs["spin_speed"])
+    return {
+        "buckling": buckling,
+        "fundamental": frequency,
+        "flutter": flutter_load if np.isfinite(flutter_load) else None,
+        "static_load": static,
+        "reference": reference,
+        "whirl": whirl_numbers(system, static),
+        # a rigid body has Ī_P ≤ 2 Ī_D
+        "rigid": rotor.polar_inertia <= 2 * rotor.diametral_inertia * (1 + _ROUNDING),
+    }
 
 
 def _drawn(state: State) -> dict[str, Any]:

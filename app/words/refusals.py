@@ -6,7 +6,7 @@ import logging
 
 from rotorstab.model.stiffness import PastPole
 
-__all__ = ["FAILED", "told"]
+__all__ = ["FAILED", "user_message"]
 
 _LOG = logging.getLogger("rotorstab.app")
 FAILED = "these values could not be computed; the charts show the last ones that could"
@@ -16,7 +16,7 @@ _PAST_POLE = (
 )
 
 
-def told(error: ValueError) -> str:
+def user_message(error: ValueError) -> str:
     """Return an error in words for a user; the log has the solver's own.
 
     The app's own sentences are handed on. The solver's name an argument in `backticks`.

@@ -5,18 +5,19 @@ from __future__ import annotations
 import math
 
 from rotorstab import Scales
-from rotorstab.charts import written
 from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
 
-from ..results.analysis import FloquetAnswer
+from ..results.floquet_answer import TABLE_FACTOR, FloquetAnswer
+from ..results.growth import NEGLIGIBLE_GROWTH
 from ..results.limits import Detail
-from .si import load_words
+from .units import Units
 
 __all__ = ["verdict", "verdict_room"]
 
-_GROWS = 1e-9  # growth of the mean system above rounding
 _MOST = 6  # regions named in one sentence
-_DRIVE = 0.1  # β_d at which the regions of first order are told, as the table is made
+_BELOW_THRESHOLD = 0.9  # part of the first-order threshold below which growth contradicts it
+_SLIVER = 0.02  # share of the window that may be blank without a word
+_MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
 _LONGEST_COMPARISON = (
     " Of the computed part of this window 88 % is unstable; Bolotin regions cover 88 %, "
     "overstating the area by 8,888 %; yet 88 % of what is unstable lies outside them."
@@ -24,6 +25,7 @@ _LONGEST_COMPARISON = (
 
 
 def _percent(share: float, *, none: bool = True) -> str:
+    """Return a share in words; with `none` a share of 0 is nothing, otherwise it is too small."""
     if share == 0 and none:
         return "nothing"
     if share < 0.001:
@@ -31,46 +33,33 @@ def _percent(share: float, *, none: bool = True) -> str:
     return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
 
 
-def _newtons(load: float, scales: Scales | None) -> str:
-    """Return a pulsating load in words, where it is wanted."""
-    return "" if scales is None else f" (P_t = {load_words(load, scales)})"
+def _region(region: FirstOrderRegion, units: Units) -> str:
+    centre = units.place(region.centre / units.fundamental)
+    return f"{region.name} at {centre} ({units.width(region.width / units.fundamental)} wide)"
 
 
-def _region(one: FirstOrderRegion, frequency: float, scales: Scales | None) -> str:
-    if scales is not None:
-        hertz = scales.frequency / (2 * math.pi)
-        return (
-            f"{one.name} at {written(one.centre * hertz)} Hz ({written(one.width * hertz, 3)} wide)"
-        )
-    centre = f"{one.name} at θ/ωₙ = {one.centre / frequency:.3f}"
-    return f"{centre} ({one.width / frequency:.3f} wide)"
-
-
-def _regions(answer: FloquetAnswer, scales: Scales | None) -> str:
+def _regions(answer: FloquetAnswer, units: Units) -> str:
+    """Return the unstable regions of first order in the window, in words."""
     low, high = answer.frequency_range
-    frequency = answer.fundamental_frequency
-    regions = first_order_regions(answer.table, _DRIVE * answer.reference_load)
-    inside = [one for one in regions if low <= one.centre / frequency <= high]
+    regions = first_order_regions(answer.table, TABLE_FACTOR * units.reference)
+    inside = [one for one in regions if low <= one.centre / units.fundamental <= high]
     if not inside:
-        return "No tongue of first order is open in this window at β_d = 0.1."
-    named = "; ".join(_region(one, frequency, scales) for one in inside[:_MOST])
+        return f"No tongue of first order is open in this window at β_d = {TABLE_FACTOR:g}."
+    named = "; ".join(_region(region, units) for region in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
-    word = "unstable region" if len(inside) == 1 else "unstable regions"
-    load = f"β_d = {_DRIVE:g}{_newtons(_DRIVE * answer.reference_load, scales)}"
+    noun = "unstable region" if len(inside) == 1 else "unstable regions"
     return (
-        f"To first order in the load, {len(inside)} {word} in this window at {load}: "
-        f"{named}{more}; lines without a name are of higher order."
+        f"To first order in the load, {len(inside)} {noun} in this window at "
+        f"{units.factor(TABLE_FACTOR, 'g')}: {named}{more}; lines without a name are of higher "
+        "order."
     )
 
 
-def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
+def _margin(answer: FloquetAnswer, units: Units) -> str:
+    """Return the smallest pulsating load that destabilises, in words."""
     table = answer.table
-    if table.mean_growth > _GROWS:
-        rate = (
-            f"σ̄ = {written(table.mean_growth, 3)}"
-            if scales is None
-            else f"σ = {written(table.mean_growth * scales.frequency, 3)} per second"
-        )
+    if table.mean_growth > NEGLIGIBLE_GROWTH:
+        rate = units.rate_words(table.mean_growth)
         return f"The rotor is unstable without any pulsation: its steady motion grows at {rate}."
     first = min(table, key=lambda row: row.threshold)
     if not math.isfinite(first.threshold):
@@ -80,25 +69,24 @@ def _margin(answer: FloquetAnswer, scales: Scales | None) -> str:
             "Without damping any pulsation, however small, suffices at a first-order "
             "tongue’s centre."
         )
-    threshold = first.threshold / answer.reference_load
+    threshold = first.threshold / units.reference
     words = (
-        f"To first order, damping holds up to β_d = {threshold:.3f}"
-        f"{_newtons(first.threshold, scales)}; {first.name} goes first"
+        f"To first order, damping holds up to {units.factor(threshold)}; {first.name} goes first"
     )
-    if answer.unstable_from < 0.9 * threshold:
-        load = _newtons(answer.unstable_from * answer.reference_load, scales)
-        words += f", yet the map shows growth from β_d = {answer.unstable_from:.3f}{load}"
+    if answer.unstable_from < _BELOW_THRESHOLD * threshold:
+        words += f", yet the map shows growth from {units.factor(answer.unstable_from)}"
     return words + "."
 
 
 def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
+    """Return how much of the window is unstable, and what Bolotin's regions cover, in words."""
     true, bolotin, both = answer.unstable_share, answer.bolotin_share, answer.both_share
     if math.isnan(true):
         return ""
     if answer.detail is Detail.COARSE:
         return " Shares of the window and the slowest loads follow once the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
-    if answer.table.mean_growth > _GROWS:
+    if answer.table.mean_growth > NEGLIGIBLE_GROWTH:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
         return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
@@ -109,16 +97,13 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     if true > 0 and bolotin > true:
         text += f", overstating the area by {100 * (bolotin / true - 1):,.0f} %"
     missed = true - both
-    if missed > 0.001 * true > 0:
+    if missed > _MISSED * true > 0:
         text += f"; yet {_percent(missed / true)} of what is unstable lies outside them"
     return text + "."
 
 
-_SLIVER = 0.02  # share of the window that may be blank without a word
-
-
 def _is_slow(answer: FloquetAnswer) -> bool:
-    """Whether the slowest loads of the window, more than a sliver, are blank."""
+    """Whether the map is blank for the slowest loads, in more than a sliver of the window."""
     low, high = answer.frequency_range
     return answer.followed_from > low + _SLIVER * (high - low)
 
@@ -154,8 +139,13 @@ def _blank(answer: FloquetAnswer) -> str:
 def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: bool = True) -> str:
     """Return the verdict on one chart, in three or four sentences.
 
-    With `scales` frequencies are in Hz, growth is per second and loads have a unit beside β_d.
-    Bolotin's regions are not spoken of where they are not shown.
+    Parameters
+    ----------
+    answer : FloquetAnswer
+    scales : Scales or None
+        With scales, frequencies are in Hz, growth is per second and loads have a unit beside β_d.
+    bolotin_shown : bool
+        Whether the chart shows Bolotin's regions; otherwise the verdict does not name them.
     """
     return _opening(answer, scales) + _comparison(answer, bolotin_shown) + _end(answer)
 
@@ -165,11 +155,12 @@ def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:
     return _opening(answer, scales) + _LONGEST_COMPARISON + _end(answer)
 
 
+def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
+    units = Units(answer.fundamental_frequency, answer.reference_load, scales)
+    if answer.table.mean_growth > NEGLIGIBLE_GROWTH:
+        return _margin(answer, units)  # no tongue stands out where everything grows
+    return f"{_regions(answer, units)} {_margin(answer, units)}"
+
+
 def _end(answer: FloquetAnswer) -> str:
     return "" if answer.detail is Detail.COARSE else _blank(answer)
-
-
-def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
-    if answer.table.mean_growth > _GROWS:
-        return _margin(answer, scales)  # no tongue stands out of what grows everywhere
-    return f"{_regions(answer, scales)} {_margin(answer, scales)}"

@@ -7,7 +7,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.pages.marked_point import INSPECTOR_CHARTS, _pace_of, inspect
+from app.pages.animation import mean_angular_speed
+from app.pages.marked_point import INSPECTOR_CHARTS, inspect
 from app.results.analysis import CHARTS, solve
 from app.results.limits import Detail
 from app.session import Session
@@ -400,4 +401,4 @@ def test_the_pace_of_a_motion_near_the_end_of_double_precision():
     time = np.linspace(0, 10, 200)
     for size in (1.0, 1e200, 0.0):
         motion = SimpleNamespace(time=time, displacement=size * np.exp(1.5j * time))
-        assert _pace_of(motion) == pytest.approx(1.5 if size else 0.0)
+        assert mean_angular_speed(motion) == pytest.approx(1.5 if size else 0.0)

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from app.lessons.quantities import evaluate
+from app.lessons.evaluation import evaluate
 from app.pages.marked_point import inspect
 from app.results.analysis import solve
 from app.session import Session

@@ -273,12 +273,12 @@ def test_nothing_is_patched_before_the_browser_has_built_the_page(monkeypatch):
     session = Session({})
     page, drawn = session.pages[session.active], []
     monkeypatch.setattr(page, "show", lambda state, detail: drawn.append(detail))
-    monkeypatch.setattr(session.controls, "tell", drawn.append)
-    session._show_better("map")
-    session._show_better(True)
+    monkeypatch.setattr(session.controls, "send", drawn.append)
+    session.show_refined(Detail.FULL)
+    session.show_refined(Detail.REFINED)
     assert drawn == []
     session.respond({"type": "hello"})
-    assert drawn == [True]
+    assert drawn == [Detail.REFINED]
 
 
 def test_a_rest_whose_full_picture_is_being_made_repeats_nothing(session, monkeypatch):

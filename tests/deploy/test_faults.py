@@ -8,7 +8,7 @@ from concurrent.futures.process import BrokenProcessPool
 import pytest
 
 from app.background.printing import Printer
-from app.exports.files import excuse
+from app.exports.files import failure_message
 from app.results.analysis import solve
 from app.results.limits import Detail
 from app.state import State
@@ -17,9 +17,9 @@ from rotorstab.cli import parser as cli
 
 
 def test_a_full_disk_is_named_to_the_user():
-    assert "disk is full" in excuse(OSError(errno.ENOSPC, "No space left on device"))
+    assert "disk is full" in failure_message(OSError(errno.ENOSPC, "No space left on device"))
     for problem in (RuntimeError("/home/x"), OSError(errno.EACCES, "denied", "/home/x")):
-        sentence = excuse(problem)
+        sentence = failure_message(problem)
         assert "ask once more" in sentence
         assert "/home" not in sentence
 

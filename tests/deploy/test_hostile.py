@@ -63,8 +63,8 @@ def test_the_spy_sees_every_way_into_the_solver():
         ("app.results.curves", "lumped"),
         ("app.results.curves", "campbell_diagram"),
         ("app.results.analysis", "bolotin_chart"),
-        ("app.pages.marked_point", "time_response"),
-        ("app.pages.marked_point", "floquet_solution"),
+        ("app.results.marked_point", "time_response"),
+        ("app.results.marked_point", "floquet_solution"),
         ("app.lessons.situation", "critical_load"),
     } <= points
 

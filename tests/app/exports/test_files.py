@@ -229,12 +229,12 @@ def test_the_user_hears_of_a_printer_that_does_not_start(own, session, monkeypat
     session.respond({"type": "reset"})
     monkeypatch.setattr(processes, "ProcessPoolExecutor", no_room)
     told = Queue()
-    monkeypatch.setattr(session.controls, "tell", told.put)
+    monkeypatch.setattr(session.controls, "send", told.put)
     answer = session.respond({"type": "export", "format": "pdf", "chart": "campbell"})
     assert "making" in answer["told"]
     assert "ask once more" in told.get(timeout=10)["told"]
     monkeypatch.undo()
-    monkeypatch.setattr(session.controls, "tell", told.put)
+    monkeypatch.setattr(session.controls, "send", told.put)
     session.respond({"type": "export", "format": "csv", "chart": "campbell"})
     assert "file" in told.get(timeout=60)
 
@@ -283,13 +283,13 @@ def test_a_session_may_wait_for_some_files_only_and_for_one_while_many_wait(desk
     futures = [Future() for _ in range(MOST_FILES)]
     for one in futures:
         assert not wanted.full()
-        wanted.start(files.Reply(later=one))
+        wanted.start(files.Reply(file=one))
     assert wanted.full()
     assert not bystander.full()
     crowd = [object() for _ in range(files.MOST_WAITING)]
     files._making.update(crowd)
     assert not bystander.full()
-    bystander.start(files.Reply(later=Future()))
+    bystander.start(files.Reply(file=Future()))
     assert bystander.full()
     files._making.difference_update(crowd)
     assert not bystander.full()

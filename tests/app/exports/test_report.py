@@ -42,7 +42,7 @@ def made(*messages, **report):
     for message in messages:
         session.respond(message)
     told = Queue()
-    session.controls.tell = told.put
+    session.controls.send = told.put
     assert "making" in session.respond({"type": "report", **report})["told"]
     return b64decode(told.get(timeout=120)["file"]["base64"]).decode()
 

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from app.lessons import QUANTITIES, LessonError, Unanswerable, grade, library, parse, solution
 from app.lessons.__main__ import main
+from app.lessons.evaluation import evaluate
 from app.lessons.expressions import read_condition, read_expression
 from app.lessons.library import VARIABLE, collect, read_file, read_folder
 from app.lessons.markdown import inline, plain, render, tokens
-from app.lessons.quantities import evaluate
 from app.session import Session
 from app.state import State
 from rotorstab import BASE_CASE, growth_rate, lumped, resonances, whirl_frequencies

@@ -231,7 +231,7 @@ def test_each_pin_of_an_address_is_solved_in_a_turn_of_its_own(monkeypatch):
     session.respond({"type": "hello"})
     assert {"response", "orbit"} <= set(explore.charts)
     told = []
-    monkeypatch.setattr(session.controls, "tell", told.append)
+    monkeypatch.setattr(session.controls, "send", told.append)
     # a pin that is made meanwhile takes a number and a place that no other has
     session.respond({"type": "pin", "label": "mine"})
     while turns:

@@ -12,7 +12,7 @@ from app.pages.marked_point import inspect
 from app.results.analysis import CHARTS, solve
 from app.results.limits import Detail
 from app.state import State
-from app.words.point import Units
+from app.words.units import Units
 from app.words.verdict import verdict
 from rotorstab import TABLE_1_SI, ShaftDisk
 from rotorstab.charts import chart_factors, chart_figure, in_si, multiplier_chart

@@ -1,0 +1,150 @@
+"""The motion and Floquet's answer at one marked point: cached, shared by sessions."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from rotorstab import (
+    System,
+    TimeResponse,
+    initial_conditions,
+    time_response,
+    whirl_frequencies,
+)
+from rotorstab.charts import Chart, multiplier_chart, orbit_chart, response_chart
+from rotorstab.floquet.kicks import harmonic_count
+from rotorstab.floquet.point import FloquetSolution, floquet_solution
+
+from . import limits
+from .caches import shared_cache
+from .model import Model
+
+__all__ = ["Point", "PointAnswer", "solve_point"]
+
+_SAMPLES = (24, 600)  # fewest and most samples in one period
+_SAMPLES_PER_CYCLE = 14  # of the fastest whirl
+_STEPS_PER_SAMPLE = 5  # at least
+# errors of ln|μ| and of one sample of the motion above which nothing is shown
+_RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6
+_TOO_SLOW = (
+    "One period of this load takes more steps than can be followed while others wait, since the "
+    "rotor moves or dies away too fast against it: move the marker to a higher θ/ωₙ."
+)
+
+
+@dataclass(frozen=True)
+class Point:
+    """Loads and frequencies of a marker, and how its motion starts.
+
+    Parameters
+    ----------
+    model : Model
+    spin_speed, tangency : float
+        Ω̄ and μ.
+    static, pulsating : float
+        p̄₀ and p̄_t [EI/L²].
+    excitation : float
+        θ̄ [√(EI/(ρAL⁴))].
+    initial : str
+        As the state names it, such as "knock" or "mode 1F".
+    seed : int
+        Of the noise; 0 with any other start.
+    periods : int
+        Periods of the load that are wanted.
+    """
+
+    model: Model
+    spin_speed: float
+    tangency: float
+    static: float
+    pulsating: float
+    excitation: float
+    initial: str
+    seed: int
+    periods: int
+
+    def system(self) -> System:
+        """Return the rotor system."""
+        return self.model.system(self.spin_speed, self.tangency)
+
+    def undamped(self) -> System:
+        """Return the system without damping, which is what Bolotin's method is for."""
+        return self.model.undamped().system(self.spin_speed, self.tangency)
+
+
+@dataclass(frozen=True, eq=False)
+class PointAnswer:
+    """What the solver has at a point.
+
+    Parameters
+    ----------
+    response : TimeResponse
+    floquet : FloquetSolution
+    samples : int
+        Of the response, in one period.
+    charts : dict of str to Chart
+        Non-dimensional, by key.
+    """
+
+    response: TimeResponse
+    floquet: FloquetSolution
+    samples: int
+    charts: dict[str, Chart]
+
+
+@shared_cache(64)
+def solve_point(point: Point) -> PointAnswer:
+    """Return the response, Floquet's answer and the charts of a point.
+
+    Raises
+    ------
+    ValueError
+        With words for the page, where one period takes more work than the server has time for.
+    """
+    system = point.system()
+    loads = point.static, point.pulsating
+    fastest = _fastest(point.model, point.spin_speed, point.tangency, point.static)
+    if fastest > limits.MOST_CYCLES * point.excitation:
+        raise ValueError(
+            f"The whirl makes {fastest / point.excitation:.0f} cycles in one period of this load, "
+            f"more than can be followed ({limits.MOST_CYCLES}): move the marker to a higher θ/ωₙ."
+        )
+    start = initial_conditions(system, point.static, point.initial.replace(" ", ":"), point.seed)
+    steps = _most_steps(point.model, system, loads)
+    floquet = floquet_solution(system, *loads, point.excitation, most_steps=steps)
+    period = 2 * math.pi / point.excitation
+    if not (floquet.converged or float(floquet.error) * period < _RATE_ERROR):
+        raise ValueError(_TOO_SLOW)
+    samples = int(np.clip(_SAMPLES_PER_CYCLE * fastest / point.excitation, *_SAMPLES))
+    samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
+    periods = max(1, min(point.periods, limits.MOST_SAMPLES // samples))
+    try:
+        response = time_response(
+            system, *loads, point.excitation, start, periods, samples, most_steps=steps
+        )
+    except ValueError:
+        raise ValueError(_TOO_SLOW) from None
+    if not response.error < _MOTION_ERROR:
+        raise ValueError(_TOO_SLOW)
+    charts = response_chart(response), multiplier_chart(floquet.multipliers), orbit_chart(response)
+    return PointAnswer(response, floquet, samples, {chart.key: chart for chart in charts})
+
+
+def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:
+    """Return how many steps of a period the server's one thread has time for."""
+    if system.is_linear:
+        return limits.MOST_STEPS[model.kind]
+    static, pulsating = (np.array([load]) for load in loads)
+    harmonics = harmonic_count(system, (static, pulsating))
+    return int(limits.EXACT_STEPS / (1 + harmonics / limits.EXACT_HARMONICS))
+
+
+@shared_cache(64)
+def _fastest(model: Model, spin_speed: float, tangency: float, static: float) -> float:
+    """Return the largest whirl frequency of the first two modes each way."""
+    values = whirl_frequencies(model.system(spin_speed, tangency), static).real
+    half = len(values) // 2
+    return float(np.abs(values[max(0, half - 2) : half + 2]).max())
