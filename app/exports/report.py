@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
+from rotorstab import Scales
+
 from ..lessons.markdown import plain
 from ..results.growth import shows_growth
 from ..state import SYMBOLS, State
@@ -44,7 +46,9 @@ _LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness", "initial", "seed", "
 
 
 def _table(rows: Sequence[tuple[str, str]]) -> str:
-    cells = "".join(f"<tr><td>{plain(a)}</td><td>{plain(b)}</td></tr>" for a, b in rows)
+    cells = "".join(
+        f"<tr><td>{plain(name)}</td><td>{plain(value)}</td></tr>" for name, value in rows
+    )
     return f"<table>{cells}</table>"
 
 
@@ -59,10 +63,10 @@ def _shown(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
-def page_address(given: object) -> str:
-    """Return the page's own address as the browser gave it, or nothing where it is none."""
+def page_address(text: object) -> str:
+    """Return the page's own address as the browser sent it, or an empty text if it is none."""
     form = r"https?://(?:[\w.-]{1,253}|\[[\da-fA-F:]{2,45}\])(?::\d{1,5})?(?:/[\w./~%-]{0,300})?"
-    return given if isinstance(given, str) and re.fullmatch(form, given, re.ASCII) else ""
+    return text if isinstance(text, str) and re.fullmatch(form, text, re.ASCII) else ""
 
 
 def report_html(
@@ -81,7 +85,7 @@ def report_html(
     numbers : mapping
         Key numbers of the view.
     words : sequence of str
-        The verdict, and what else is said, a paragraph each.
+        The verdict and the other paragraphs.
     pictures : mapping of str to str
         SVG documents by title, the first one wide.
     query : str
@@ -89,55 +93,73 @@ def report_html(
     address : str
         The page's address without a query, from `page_address`.
     """
+    scales = shown_scales(state)
     settings = [
         (_label(name), _shown(value))
         for name, value in named_inputs(state.inputs()).items()
         if not name.startswith(_LEFT_OUT)
     ]
-    scales = shown_scales(state)
-    si = scales is not None
-    shown = numbers if scales is None else key_numbers(scales, numbers)
-    suffix = ("", "") if scales is None else (f" [{load_in(scales)[1]}]", " [Hz]")
-    keys = [
-        (words_.replace("\u0304", "") + suffix[name == "fundamental"], _shown(shown[name]))
-        if si
-        else (words_, _shown(shown[name]))
-        for name, words_ in _NUMBERS.items()
-    ]
-    for name, (real, imaginary) in shown["whirl"].items():
-        grows = f" {imaginary:+.6g}j" if shows_growth(imaginary) else ""
-        if si and grows:
-            word = "decays" if imaginary > 0 else "grows"
-            grows = f", {word} by {abs(imaginary):.6g} 1/s"
-        keys.append((f"whirl frequency {name}{suffix[1]}", f"{real:.6g}{grows}"))
-    drawn = [
+    half_way = -(-len(settings) // 2)
+    charts = [
         f"<h2>{escape(title)}</h2>{svg[svg.index('<svg') :]}" for title, svg in pictures.items()
     ]
-    half = "".join(f"<div>{one}</div>" for one in drawn[1:])
-    units = (
-        f"In SI for a shaft of {state.shaft_length:g} m, {state.shaft_diameter:g} mm; parameters "
-        "without a unit are non-dimensional"
-        if si
-        else "Non-dimensional"
-    )
-    half_way = -(-len(settings) // 2)
-    view = escape(f"{address}?{query}")
-    if address:
-        view = f'<a href="{view}">{view}</a>'
+    half_wide = "".join(f"<div>{chart}</div>" for chart in charts[1:])
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head><meta charset="utf-8"><title>rotorstab report</title><style>{_STYLE}</style></head>
 <body>
 <h1>Parametric instability of a shaft–disk rotor</h1>
-{"".join(f"<p>{plain(one)}</p>" for one in words)}
-<div class="wide">{drawn[0]}</div>
-<div class="two">{half}</div>
+{"".join(f"<p>{plain(paragraph)}</p>" for paragraph in words)}
+<div class="wide">{charts[0]}</div>
+<div class="two">{half_wide}</div>
 <div class="three">
 <h2 class="across">Parameters</h2><h2>Key numbers</h2>
-{_table(settings[:half_way])}{_table(settings[half_way:])}{_table(keys)}
+{_table(settings[:half_way])}{_table(settings[half_way:])}{_table(_key_rows(numbers, scales))}
 </div>
-<footer>{units}: length L, bending stiffness EI and line mass ρA are 1. Floquet decides
-what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
-{view}</footer>
+<footer>{_units_words(state)}: length L, bending stiffness EI and line mass ρA are 1. Floquet
+decides what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
+{_link(address, query)}</footer>
 </body></html>
 """
+
+
+def _key_rows(numbers: Mapping[str, Any], scales: Scales | None) -> list[tuple[str, str]]:
+    """Return names and values of the key numbers, in SI with scales."""
+    if scales is None:
+        rows = [(label, _shown(numbers[name])) for name, label in _NUMBERS.items()]
+        shown, hertz = numbers, ""
+    else:
+        shown, hertz = key_numbers(scales, numbers), " [Hz]"
+        newtons = f" [{load_in(scales)[1]}]"
+        rows = [
+            (
+                # without the bar of the non-dimensional
+                label.replace("\u0304", "") + (hertz if name == "fundamental" else newtons),
+                _shown(shown[name]),
+            )
+            for name, label in _NUMBERS.items()
+        ]
+    for name, (real, imaginary) in shown["whirl"].items():
+        growth = ""
+        if shows_growth(imaginary) and scales is None:
+            growth = f" {imaginary:+.6g}j"
+        elif shows_growth(imaginary):
+            word = "decays" if imaginary > 0 else "grows"
+            growth = f", {word} by {abs(imaginary):.6g} 1/s"
+        rows.append((f"whirl frequency {name}{hertz}", f"{real:.6g}{growth}"))
+    return rows
+
+
+def _units_words(state: State) -> str:
+    if shown_scales(state) is None:
+        return "Non-dimensional"
+    return (
+        f"In SI for a shaft of {state.shaft_length:g} m, {state.shaft_diameter:g} mm; parameters "
+        "without a unit are non-dimensional"
+    )
+
+
+def _link(address: str, query: str) -> str:
+    """Return the address of the view, as a link where the page's own address is known."""
+    view = escape(f"{address}?{query}")
+    return f'<a href="{view}">{view}</a>' if address else view

@@ -9,6 +9,7 @@ from rotorstab.model.stiffness import largest_exact_load
 from ..pages.marked_point import inspect
 from ..results.analysis import BOUNDARY_ROWS, Result, solve
 from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_kinds
+from ..results.floquet_answer import TABLE_FACTOR
 from ..results.limits import Detail, map_size
 from ..results.model import ELEMENTS, MODES, model_of
 from ..results.window import chart_options
@@ -41,9 +42,9 @@ def _system(state: State, tangency: float, law: str, damped: bool = True) -> str
 def _rotor(state: State, in_si: bool) -> str:
     """Return the lines that make the rotor, from SI data where the charts show that shaft."""
     if in_si:
-        given = "".join(f"    {name}={value!r},\n" for name, value in state.si_data().items())
+        data = "".join(f"    {name}={value!r},\n" for name, value in state.si_data().items())
         return (
-            f"rotor, scales = ShaftDisk.from_si(  # m, Pa, kg/m³, kg, kg m²\n{given})\n"
+            f"rotor, scales = ShaftDisk.from_si(  # m, Pa, kg/m³, kg, kg m²\n{data})\n"
             "hertz = scales.frequency / (2 * np.pi)  # what one unit of frequency is"
         )
     rotor = state.rotor()
@@ -133,50 +134,26 @@ def python_snippet(state: State) -> str:
     """
     result = solve(state, Detail.COARSE)  # the map of growth is not needed here
     in_si = state.units == "SI" and state.shaft_in_use()
-    model = model_of(state)
-    rows, columns, _ = map_size(model.kind, Detail.REFINED)
-    options = _arguments(**chart_options(model, Detail.REFINED))
-    damped = model.is_damped
+    damped = model_of(state).is_damped
     tangency = state.effective_tangency()
-    names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_load", "critical_speeds"}
-    names |= {"fundamental_frequency", "load_frequency_curves", "lumped", "resonances"}
-    names |= {"stability_chart", "whirl_frequencies"}
-    if state.model != "lumped":
-        names.add("finite_element")
-    reference = "float(critical_load(rotor.shear))"
-    if state.reference == "flutter":
-        # up to the pole of the exact stiffness, as on the page
-        pole = float(largest_exact_load(state.shear))
-        reference = f"flutter_load(lumped(rotor, 0.0, tangency=1.0), {pole!r})"
-        names.add("flutter_load")
-        if not in_si:
-            names.discard("critical_load")
-    if state.marker:
-        names |= {"floquet_multipliers", "growth_rate", "initial_conditions", "time_response"}
-    imported = "".join(f"    {name},\n" for name in sorted(names))
-    plain = (
+    undamped = (
         f"undamped = {_system(state, tangency, state.law, damped=False)}"
         "  # Bolotin's method knows no damping\n"
         if damped
         else ""
     )
-    words = "The rotor in SI; what is computed is" if in_si else "It is"
-    linear = "undamped" if damped else "system"
-    last = _PRINTS_SI if in_si else _PRINTS
-    largest = "largest_load"
-    if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
-        largest = f"min({largest}, system.largest_load - static_load)"
     return f"""\
-# What rotorstab shows, as Python. {words} non-dimensional: L = EI = ρA = 1.
+# What rotorstab shows, as Python. {"The rotor in SI; what is computed is" if in_si else "It is"} \
+non-dimensional: L = EI = ρA = 1.
 import numpy as np
 
 from rotorstab import (
-{imported})
+{_imports(state, in_si)})
 
 {_rotor(state, in_si)}
 system = {_system(state, tangency, state.law)}
-{plain}\
-reference_load = {reference}  # what a load factor of 1 stands for
+{undamped}\
+reference_load = {_reference_load(state)}  # what a load factor of 1 stands for
 static_load = {state.static_load_factor!r} * reference_load
 frequency = fundamental_frequency(lumped(rotor, 0.0))  # ω_n
 
@@ -186,14 +163,50 @@ whirl = whirl_frequencies(system, static_load)
 campbell = campbell_diagram(system, np.linspace(0.0, {LARGEST_SPEED!r}, {SPEEDS}), static_load)
 critical = critical_speeds(system, static_load)
 
+{_instability(state, result, "undamped" if damped else "system")}
+{_point(state, result) if state.marker else ""}{_PRINTS_SI if in_si else _PRINTS}"""
+
+
+def _imports(state: State, in_si: bool) -> str:
+    """Return the names that the program imports, a line each."""
+    names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_speeds"}
+    names |= {"fundamental_frequency", "load_frequency_curves", "lumped", "resonances"}
+    names |= {"stability_chart", "whirl_frequencies"}
+    if state.model != "lumped":
+        names.add("finite_element")
+    if state.reference == "flutter":
+        names.add("flutter_load")
+    if state.reference == "buckling" or in_si:
+        names.add("critical_load")
+    if state.marker:
+        names |= {"floquet_multipliers", "growth_rate", "initial_conditions", "time_response"}
+    return "".join(f"    {name},\n" for name in sorted(names))
+
+
+def _reference_load(state: State) -> str:
+    if state.reference == "buckling":
+        return "float(critical_load(rotor.shear))"
+    # up to the pole of the exact stiffness, as on the page
+    pole = float(largest_exact_load(state.shear))
+    return f"flutter_load(lumped(rotor, 0.0, tangency=1.0), {pole!r})"
+
+
+def _instability(state: State, result: Result, undamped: str) -> str:
+    """Return the lines of the instability chart; `undamped` names the system without damping."""
+    model = model_of(state)
+    rows, columns, _ = map_size(model.kind, Detail.REFINED)
+    options = _arguments(**chart_options(model, Detail.REFINED))
+    largest = "largest_load"
+    if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
+        largest = f"min({largest}, system.largest_load - static_load)"
+    return f"""\
 # Bolotin's boundaries: bolotin.frequency / frequency over bolotin.pulsating_load / reference_load
 largest_load = {state.largest_factor!r} * reference_load
-bolotin = bolotin_chart({linear}, static_load, {largest}, {BOUNDARY_ROWS})
+bolotin = bolotin_chart({undamped}, static_load, {largest}, {BOUNDARY_ROWS})
 
 # Floquet's growth rates on the chart's pixels, and the true tongues at a load factor of 0.1
 low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency
 loads = (np.arange({rows}) + 0.5) / {rows} * largest_load
 frequencies = low + (np.arange({columns}) + 0.5) / {columns} * (high - low)
 stability = stability_chart(system, static_load, loads, frequencies, {options})
-tongues = resonances(system, static_load, 0.1 * reference_load).tongues
-{_point(state, result) if state.marker else ""}{last}"""
+tongues = resonances(system, static_load, {TABLE_FACTOR:g} * reference_load).tongues"""

@@ -10,7 +10,7 @@ from typing import Any
 from .expressions import DEFAULT_CASE, Condition, Expression, read_condition, read_expression
 from .markdown import inline
 from .situation import LARGEST_LOAD
-from .tables import LessonError, Table, set_inputs
+from .tables import Table, set_inputs
 
 __all__ = ["Choice", "Question", "case_inputs", "read_question"]
 
@@ -35,17 +35,18 @@ class Question:
     ask, hint : str
         HTML.
     answer : Expression or None
-        Of a number.
+        The right number, if the question asks for one.
     choices : tuple of Choice
-        Of a choice.
+        Empty unless the question is a choice.
     goal : Condition or None
-        Of a goal: it must hold for the inputs as the student has set them.
+        What must hold for the inputs as the student has set them, if the question is a goal.
     tolerance : float
-        Absolute, or a share if `relative`.
+        Absolute, or a share of the answer if `relative`.
+    relative : bool
     range : (float, float) or None
-        Of a number that is sensible.
+        Smallest and largest number that the student may give.
     unit : str
-        Shown behind a number.
+        Shown after a number.
     cases : mapping
         Inputs that differ from those after Try, by the case's name.
     line : int
@@ -99,37 +100,36 @@ def _range(values: Mapping[str, Any], table: Table) -> tuple[float, float] | Non
     raise table.error("range", "range must be two numbers, the smaller first")
 
 
+_KEYS = {
+    "answer": ("ask", "hint", "answer", "tolerance", "range", "unit", "cases"),
+    "choices": ("ask", "hint", "choices", "tolerance", "cases"),
+    "goal": ("ask", "hint", "goal", "tolerance", "cases"),
+}
+
+
 def read_question(values: dict[str, Any], table: Table) -> Question:
-    kinds = [key for key in ("answer", "choices", "goal") if key in values]
+    """Return the question of a block; LessonError names what is wrong with it and its line."""
+    kinds = [key for key in _KEYS if key in values]
     if len(kinds) != 1:
         raise table.error("ask", "a question has one of answer, choices, goal")
     (kind,) = kinds
-    allowed = {
-        "answer": ("ask", "hint", "answer", "tolerance", "range", "unit", "cases"),
-        "choices": ("ask", "hint", "choices", "tolerance", "cases"),
-        "goal": ("ask", "hint", "goal", "tolerance", "cases"),
-    }[kind]
-    table.only(values, allowed, "this question")
+    table.only(values, _KEYS[kind], "this question")
     answer, goal, choices = None, None, []
-    try:
-        if kind == "answer":
-            answer = read_expression(table.line_of_text(values, "answer"))
-        elif kind == "goal":
-            goal = read_condition(table.line_of_text(values, "goal"))
-    except LessonError:
-        raise
-    except ValueError as error:
-        raise table.error(kind, f"{kind}: {error}") from None
     if kind == "choices":
         choices = list(_choices(values["choices"], table))
-    cases = values.get("cases", {})
-    if not isinstance(cases, dict) or not all(isinstance(one, dict) for one in cases.values()):
-        raise table.error("cases", "cases must be tables of parameters")
-    if {"before", DEFAULT_CASE} & set(cases):
-        raise table.error("cases", "the cases before and after are made by the step itself")
-    used = [*(answer.terms if answer else ()), *(goal.terms if goal else ())]
-    used += [term for one in choices for term in one.when.terms]
-    for term in used:
+    else:
+        text = table.line_of_text(values, kind)
+        try:
+            if kind == "answer":
+                answer = read_expression(text)
+            else:
+                goal = read_condition(text)
+        except ValueError as error:
+            raise table.error(kind, f"{kind}: {error}") from None
+    cases = _cases(values, table)
+    terms = [*(answer.terms if answer else ()), *(goal.terms if goal else ())]
+    terms += [term for choice in choices for term in choice.when.terms]
+    for term in terms:
         if term.case not in ("before", DEFAULT_CASE, *cases):
             raise table.error(kind, f"{kind}: there is no case {term.case!r}")
     tolerance, relative = _tolerance(values, table, kind == "answer")
@@ -148,17 +148,26 @@ def read_question(values: dict[str, Any], table: Table) -> Question:
     )
 
 
-def _choices(given: Any, table: Table) -> Iterator[Choice]:
-    if not isinstance(given, list) or not 2 <= len(given) <= 8:
+def _cases(values: Mapping[str, Any], table: Table) -> dict[str, Any]:
+    cases = values.get("cases", {})
+    if not isinstance(cases, dict) or not all(isinstance(case, dict) for case in cases.values()):
+        raise table.error("cases", "cases must be tables of parameters")
+    if {"before", DEFAULT_CASE} & set(cases):
+        raise table.error("cases", "the cases before and after are made by the step itself")
+    return cases
+
+
+def _choices(entries: Any, table: Table) -> Iterator[Choice]:
+    if not isinstance(entries, list) or not 2 <= len(entries) <= 8:
         raise table.error("choices", "choices must be a list of two to eight")
-    for one in given:
-        if not isinstance(one, dict):
+    for entry in entries:
+        if not isinstance(entry, dict):
             raise table.error("choices", "each choice is a table with text and when")
-        table.only(one, ("text", "when", "hint"), "a choice")
+        table.only(entry, ("text", "when", "hint"), "a choice")
         what = "a choice's "
-        text = table.line_of_text(one, "text", what=what + "text")
-        when = table.line_of_text(one, "when", what=what + "when")
-        hint = table.line_of_text(one, "hint", needed=False, what=what + "hint")
+        text = table.line_of_text(entry, "text", what=what + "text")
+        when = table.line_of_text(entry, "when", what=what + "when")
+        hint = table.line_of_text(entry, "hint", needed=False, what=what + "hint")
         try:
             yield Choice(inline(text), read_condition(when), inline(hint))
         except ValueError as error:

@@ -1,4 +1,4 @@
-"""What students are told where the solver has no answer."""
+"""What students read where the solver has no answer."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from app.lessons.format import parse
 from app.lessons.grading import grade
 from app.session import Session
 from app.state import State
-from app.words.refusals import FAILED, told
+from app.words.refusals import FAILED, user_message
 from rotorstab import BASE_CASE, growth_rate, lumped, whirl_frequencies
 
 LESSON = """+++
@@ -52,13 +52,16 @@ def errors():
 
 
 def test_no_argument_s_name_and_no_advice_of_python_comes_through(caplog):
-    words = [told(error) for error in errors()]
+    words = [user_message(error) for error in errors()]
     assert not [one for one in words if "`" in one or "sys." in one or "got" in one]
     assert "the exact stiffness law ends: choose a smaller load" in words[0]
     assert words[0] == words[1]
     assert words[2:] == [FAILED] * 4
     assert "`tangency` must be in [0, 1], got 7" in caplog.text  # for whoever runs the server
-    assert told(ValueError("This rotor has no flutter load.")) == "This rotor has no flutter load."
+    assert (
+        user_message(ValueError("This rotor has no flutter load."))
+        == "This rotor has no flutter load."
+    )
 
 
 def test_a_page_whose_solver_refuses_says_so_in_words(monkeypatch):
@@ -70,11 +73,11 @@ def test_a_page_whose_solver_refuses_says_so_in_words(monkeypatch):
 
     monkeypatch.setattr(session.pages["explore"], "show", refuse)
     answer = session.respond({"type": "change", "values": {"spin_speed": 1.0}})
-    assert answer["notice"] == told(error)
+    assert answer["notice"] == user_message(error)
     assert answer["values"]["spin_speed"] == 1.0
 
 
-def test_a_goal_past_the_pole_is_told_in_words():
+def test_a_goal_past_the_pole_is_refused_in_words():
     step = parse(LESSON, "past-the-pole").steps[0]
     far = {"law": "exact", "shear": 0.05, "reference": "flutter", "diametral_inertia": 0.3}
     state = State(**step.after)
