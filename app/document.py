@@ -30,7 +30,7 @@ SCRIPTS = (
     "shaft.js",
     "lessons.js",
 )
-# those that are drawn depend on the load type and the stiffness chosen
+# which of these are drawn depends on the load type and the stiffness law
 LOADS = ("axial", "follower", "partly", "axial exact", "follower exact", "partly exact")
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
@@ -39,21 +39,21 @@ LEGENDS = {
     "coefficients": ("exact", "linear"),
     "errors": ("k11", "k22", "level"),
 }
-# the switch of a stroke's layer, which is muted in the legend while that is off
+# the input that switches a stroke's layer; the legend mutes the stroke while it is off
 SWITCHED = {"backward": "show_bolotin", "forward": "show_bolotin", "edge": "show_growth"}
 
 
 def meaning(role: Role) -> Markup | str:
-    """Return what a stroke means; symbols lose the bar of the non-dimensional in SI."""
-    plain = role.meaning.replace("\u0304", "")
-    if "ω" not in plain:  # coefficients stay as they are
+    """Return the meaning of a stroke, for both units: in SI a symbol has no bar."""
+    in_si = role.meaning.replace("\u0304", "")
+    if "ω" not in in_si:  # coefficients have the same symbols in both units
         return role.meaning
     texts = Markup('<span class="nd">{}</span><span class="si">{}</span>')
-    return texts.format(role.meaning, plain)
+    return texts.format(role.meaning, in_si)
 
 
 def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
-    """Return what the browser knows an entry by: its switch, or the curve that it names."""
+    """Return the attribute by which the browser finds an entry: its switch or its curve."""
     if name in switched:
         return Markup(' data-layer="{}"').format(switched[name])
     if name in LOADS:
@@ -66,7 +66,12 @@ def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
 def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyType({})) -> Markup:
     """Return an HTML legend whose strokes are those of the chart.
 
-    `switched` names the switch of a role, where it has one.
+    Parameters
+    ----------
+    roles : tuple of str
+        Keys of `ROLES`.
+    switched : mapping of str to str
+        The input that switches a role's layer on and off, for the roles that have one.
     """
     entries = []
     for name in roles:
@@ -92,7 +97,7 @@ def asset(name: str) -> str:
 
 
 def layout() -> str:
-    """Return the Jinja text of the whole document, every page's layout in its section."""
+    """Return the Jinja text of the document, with the layout of every page in a section."""
     sections = [
         f'<section class="page" data-page="{page.key}" aria-label="{page.title}"'
         f' aria-busy="{"true" if page.chart_keys else "false"}"'
@@ -101,8 +106,8 @@ def layout() -> str:
     ]
     links = [f'<a href="#{page.key}">{page.title}</a>' for page in PAGES]
     text = asset("page.html")
-    beside = (ASSETS / "pages" / "lesson.html").read_text(encoding="utf-8")
-    for mark, content in (("pages", sections), ("links", links), ("beside", [beside])):
+    lesson = (ASSETS / "pages" / "lesson.html").read_text(encoding="utf-8")
+    for mark, content in (("pages", sections), ("links", links), ("beside", [lesson])):
         text = text.replace(f"<!-- {mark} -->", "".join(content))
     return text
 
@@ -125,12 +130,12 @@ class PageTemplate(pn.Template):
     """The whole page."""
 
     def __repr__(self) -> str:
-        """Return a short name: Panel writes it anew for every part that is added."""
+        """Return a short text: Panel asks for it each time that a part is added."""
         return "rotorstab"
 
 
 def build() -> pn.Template:
-    """Return a page of its own session."""
+    """Return a page with a session of its own."""
     template = PageTemplate(LAYOUT)
     template.title = "rotorstab"
     session = Session(pn.state.session_args)
@@ -152,6 +157,6 @@ def build() -> pn.Template:
 
 def show() -> None:
     """Add the page to the document that is being served."""
-    # Bokeh walks every model once a root and change; once at the end is enough
+    # Bokeh walks over all models for each root and change; once at the end is enough
     with turn, pn.state.curdoc.models.freeze() if pn.state.curdoc else nullcontext():
         build().servable()

@@ -1,1 +1,4 @@
-"""Work that would block the pages: its processes, its threads, and the files made there."""
+"""Work that would block the pages: processes and threads for it, and the files made there.
+
+Read `threads`, `processes`, `settling`, then `printing`.
+"""

@@ -1,4 +1,4 @@
-"""How a process that works for another one behaves."""
+"""What a process does first that works for the server."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["prepare"]
 
 
 def _end_with_parent() -> None:
-    """Wait for the parent's end, however it comes, and end too."""
+    """Wait until the parent has ended, for whatever reason, and end too."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         wait([parent.sentinel])
@@ -19,7 +19,13 @@ def _end_with_parent() -> None:
 
 
 def prepare(niceness: int = 0) -> None:
-    """Give way to other processes and never outlive the parent; for a pool's `initializer`."""
+    """Lower the priority and never outlive the parent; the `initializer` of a process pool.
+
+    Parameters
+    ----------
+    niceness : int
+        By which the priority is lowered, 0 to 19 (POSIX).
+    """
     if hasattr(os, "nice"):  # POSIX
         os.nice(niceness)
     Thread(target=_end_with_parent, daemon=True).start()

@@ -1,7 +1,7 @@
-"""Files of figures, made one after the other by one worker process.
+"""Files of figures, made one after the other by one process.
 
-Matplotlib needs about a second for a picture, a table of a map takes half of one. What is made is
-kept, bounded.
+Matplotlib needs about a second for a picture; a table of a map takes half a second. The last files
+are kept.
 """
 
 from __future__ import annotations
@@ -38,18 +38,21 @@ _TABLES: dict[str, Callable[[Figure], str]] = {
 
 @dataclass(eq=False)
 class _Job:
-    """A file to be made."""
+    """A file that was requested."""
 
     figure: Figure
     kind: str
     future: Future[bytes] = field(default_factory=Future)
 
     def begin(self, worker: Worker) -> Future[Any]:
+        """Return the future of the process's call."""
         if self.kind in _TABLES:
             return worker.call(_TABLES[self.kind], self.figure)
         return worker.call(printed.figure_files, self.figure, (self.kind,))
 
     def end(self, made: Future[Any]) -> None:
+        """Complete the file's future with the outcome of the call."""
+
         def data() -> bytes:
             if self.kind in _TABLES:
                 text: str = made.result()
@@ -62,7 +65,7 @@ class _Job:
 
 
 class Printer:
-    """Makes files of figures and keeps the last ones. Those who ask are served in turns."""
+    """Makes files of figures and keeps the last `keep` ones; owners with requests take turns."""
 
     def __init__(self, keep: int = 64) -> None:
         self._keep = keep
@@ -76,10 +79,18 @@ class Printer:
     def file(
         self, key: Hashable, figure: Figure, kind: str, owner: Hashable = None
     ) -> Future[bytes]:
-        """Return the future of a figure's file of one kind, one of `FORMATS`.
+        """Return the future of a figure's file.
 
-        `key` says what the figure shows; the same key and kind give the same future. `owner` is
-        whoever asks: of two owners with files to be made, each has every second turn.
+        Parameters
+        ----------
+        key : hashable
+            What the figure shows; the same key and kind give the same future.
+        figure : Figure
+        kind : str
+            One of `FORMATS`.
+        owner : hashable
+            On whose behalf the file is made. Of two owners with requests each has every second
+            turn.
         """
         with self._lock:
             future = self._made.get((key, kind))
@@ -90,25 +101,26 @@ class Printer:
                 while len(self._made) > self._keep:
                     self._made.popitem(last=False)
             self._made.move_to_end((key, kind))
-            if future in self._waiting:  # whoever else asked may have a longer queue
+            if future in self._waiting:  # another owner who asked may have a longer queue
                 self._queues.setdefault(owner, deque()).append(self._waiting[future])
         self._go_on()
         return future
 
     def _next(self) -> _Job | None:
-        """Take the first file of the owner whose turn it is."""
+        """Return the first file of the owner whose turn it is, or None."""
         with self._lock:
             while self._queues and not self._running:
                 owner, queue = self._queues.popitem(last=False)
                 job = queue.popleft()
                 if queue:
-                    self._queues[owner] = queue  # the last of all owners again
+                    self._queues[owner] = queue  # the owner is now the last one
                 if self._waiting.pop(job.future, None) is not None:
                     self._running = True
                     return job
         return None
 
     def _go_on(self) -> None:
+        """Begin the next file, unless one is being made."""
         while (job := self._next()) is not None:
             made = job.begin(self._worker)
             if not made.done():
@@ -126,26 +138,27 @@ class Printer:
         self._go_on()
 
     def drop(self, owner: Hashable) -> None:
-        """Cancel what an owner waits for and nobody else does."""
+        """Cancel the files that this owner waits for and nobody else does."""
         with self._lock:
             left = self._queues.pop(owner, ())
             wanted = {job for queue in self._queues.values() for job in queue}
             own = [job.future for job in left if job not in wanted]
-            dropped = [future for future in own if self._waiting.pop(future, None)]  # not begun
+            # those that are not begun
+            dropped = [future for future in own if self._waiting.pop(future, None)]
         for future in dropped:
             future.cancel()
 
     def pending(self) -> int:
-        """Return the number of files that are being made or wait for it."""
+        """Return the number of files that are being made or wait for their turn."""
         with self._lock:
             return len(self._waiting) + self._running
 
     def pids(self) -> list[int]:
-        """Return the ids of the processes that live."""
+        """Return the ids of the processes that are alive."""
         return self._worker.pids()
 
     def close(self) -> None:
-        """End the process after the file that it makes; the others are cancelled."""
+        """Cancel the files that are not begun, and end the process after its present one."""
         with self._lock:
             dropped = list(self._waiting)
             self._waiting.clear()
@@ -156,7 +169,7 @@ class Printer:
 
 
 def gather(futures: Sequence[Future[bytes]]) -> Future[list[bytes]]:
-    """Return the future of all results, in order; the first failure fails it."""
+    """Return the future of all results in order; it fails if any of them failed."""
     together: Future[list[bytes]] = Future()
     left = len(futures)
     lock = Lock()
@@ -167,12 +180,12 @@ def gather(futures: Sequence[Future[bytes]]) -> Future[list[bytes]]:
             left -= 1
             last = left == 0
         if last:
-            settle(together, lambda: [one.result() for one in futures])
+            settle(together, lambda: [future.result() for future in futures])
 
-    for one in futures:
-        one.add_done_callback(count)
+    for future in futures:
+        future.add_done_callback(count)
     return together
 
 
 printer = Printer()
-"""The server's one printer, shared by all sessions."""
+"""The one printer, shared by all sessions of this server process."""

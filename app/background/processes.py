@@ -1,6 +1,6 @@
-"""Processes of the server's own for work that would hold up its pages.
+"""Processes of the server for work that would block its pages.
 
-A worker that is killed takes its processes along. Everything here may be used by any thread.
+A server process that is killed ends its own processes too. Any thread may use everything here.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from . import child
 
 __all__ = ["Background", "Worker", "background", "settle"]
 
-_main = Lock()
+_main = Lock()  # held while the main module is hidden
 
 
 @contextmanager
 def _no_main() -> Iterator[None]:
-    """Hide the main module: a spawned process would run it again."""
+    """Hide the main module while a process is spawned, which would run it again."""
     with _main:
         main = sys.modules["__main__"]
         sys.modules["__main__"] = ModuleType("__main__")
@@ -37,19 +37,19 @@ def _no_main() -> Iterator[None]:
 
 
 def settle(future: Future[Any], result: Callable[[], Any]) -> None:
-    """End a future with what `result` returns or raises, unless it has ended."""
+    """Complete a future with what `result` returns or raises, unless it is complete."""
     if future.done() or not (future.running() or future.set_running_or_notify_cancel()):
         return
     try:
         made = result()
-    except BaseException as problem:  # a CancelledError too: whoever waits hears of it
+    except BaseException as problem:  # a CancelledError too: whoever waits must know
         future.set_exception(problem)
     else:
         future.set_result(made)
 
 
 def _failed(problem: Exception) -> Future[Any]:
-    """Return a future that has failed; cancelled where the interpreter ends."""
+    """Return a future that has failed, or a cancelled one if the interpreter is ending."""
     failed: Future[Any] = Future()
     if isinstance(problem, RuntimeError) and not isinstance(problem, BrokenProcessPool):
         failed.cancel()
@@ -59,14 +59,14 @@ def _failed(problem: Exception) -> Future[Any]:
 
 
 class _Spawn(SpawnContext):
-    """Starts processes anew, since a fork would carry the server's sockets along; notes them."""
+    """Starts processes without a fork, which would inherit the server's sockets, and lists them."""
 
     def __init__(self) -> None:
         super().__init__()
         self.started: list[SpawnProcess] = []
 
     def Process(self, *args: Any, **kwargs: Any) -> SpawnProcess:  # type: ignore[override]
-        """Make a process as the class of this name does."""
+        """Return a new process; the pool uses this name like the class."""
         self.started.append(SpawnProcess(*args, **kwargs))
         return self.started[-1]
 
@@ -74,7 +74,12 @@ class _Spawn(SpawnContext):
 class Worker:
     """One process that makes one call after the other.
 
-    It is started at the first call, and at the next one after it died.
+    The process starts with the first call; after it has died another one starts with the next call.
+
+    Parameters
+    ----------
+    niceness : int
+        By which the priority of the process is lowered, 0 to 19.
     """
 
     def __init__(self, niceness: int = 0) -> None:
@@ -84,7 +89,7 @@ class Worker:
         self._spawn = _Spawn()
 
     def call(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        """Return the future of a call; it fails where no process can be started."""
+        """Return the future of a call; the future fails if no process can be started."""
         with self._lock:
             for last in (False, True):
                 try:
@@ -92,7 +97,7 @@ class Worker:
                         self._pool = self._started()
                     with _no_main():
                         return self._pool.submit(function, *arguments)
-                except Exception as problem:  # it was killed, or the machine has no room for it
+                except Exception as problem:  # it was killed, or memory is exhausted
                     self._pool = None
                     if last:
                         return _failed(problem)
@@ -103,11 +108,13 @@ class Worker:
         return ProcessPoolExecutor(1, self._spawn, child.prepare, (self._niceness,))
 
     def pids(self) -> list[int]:
-        """Return the ids of the processes that live."""
-        return [one.pid for one in self._spawn.started if one.pid and one.is_alive()]
+        """Return the ids of the processes that are alive."""
+        return [
+            process.pid for process in self._spawn.started if process.pid and process.is_alive()
+        ]
 
     def close(self, kill: bool = False) -> None:
-        """End the process: after the call that it works on or, to `kill`, at once."""
+        """End the process: after its present call or, with `kill`, at once."""
         with self._lock:
             pool, self._pool = self._pool, None
         if pool is not None:
@@ -117,14 +124,34 @@ class Worker:
             pool.shutdown(wait=True, cancel_futures=True)
 
 
-CROWD = 3  # number of active sessions from which on background work waits for a pause
-ACTIVE = 2.0  # s after its last message for which a session is active
-PAUSE = 0.3  # s without a message in a crowd, after which nobody is held up
-PATIENCE = 3.0  # s; whoever has waited so long is served though a crowd is busy
+CROWD = 3
+"""Number of sessions active at the same time from which on background work is postponed."""
+ACTIVE = 2.0
+"""Seconds for which a session counts as active after its last message."""
+PAUSE = 0.3
+"""Seconds without a message of any session after which postponed work begins."""
+PATIENCE = 3.0
+"""Seconds after which postponed work begins in any case."""
 
 
 @dataclass
 class _Work:
+    """A call that was requested.
+
+    Parameters
+    ----------
+    function, arguments
+        The call.
+    requested : float
+        Time of the first request.
+    future : Future
+        Of the result.
+    wanted : int
+        Number of requests that were not withdrawn.
+    begun : bool
+        Whether the process works on it.
+    """
+
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
     requested: float = field(default_factory=monotonic)
@@ -134,10 +161,11 @@ class _Work:
 
 
 class Background:
-    """One process of low priority for work that may wait; equal work is done once.
+    """One process of low priority for work that may be postponed; equal work is done once.
 
-    A low priority is not enough: cores share their caches and more, and while a class moves its
-    sliders most of what it asks for is dropped soon. So in a crowd work waits for a pause.
+    A low priority is not enough: a busy core slows down the others, since they share caches and
+    memory. While a class moves its sliders, most requests are withdrawn soon. So while many
+    sessions are active, work waits for a pause.
     """
 
     def __init__(self, niceness: int = 19) -> None:
@@ -149,15 +177,15 @@ class Background:
         self._closed = False
 
     def touch(self, who: Hashable) -> None:
-        """Note that a message of somebody is being answered."""
+        """Note that a message of a session is being answered."""
         with self._lock:
             self._active.pop(who, None)
             self._active[who] = monotonic()  # the latest is the last
 
     def request(self, function: Callable[..., Any], *arguments: Hashable) -> Future[Any]:
-        """Return the future of a call whose arguments can be pickled.
+        """Return the future of a call whose arguments can be pickled and hashed.
 
-        Whoever no longer needs it says so with `withdraw`.
+        Whoever no longer needs the result calls `withdraw`.
         """
         key = function, arguments
         with self._lock:
@@ -168,7 +196,7 @@ class Background:
             if not self._serving:
                 try:
                     Thread(target=self._serve, name="background", daemon=True).start()
-                except RuntimeError as problem:  # the machine has no room for it
+                except RuntimeError as problem:  # memory is exhausted
                     work.future.set_exception(problem)
                     return work.future
                 self._serving = True
@@ -177,7 +205,7 @@ class Background:
             return work.future
 
     def withdraw(self, function: Callable[..., Any], *arguments: Hashable) -> None:
-        """Drop a call that nobody else waits for, unless it has begun."""
+        """Cancel a call that nobody else waits for, unless it has begun."""
         key = function, arguments
         with self._lock:
             work = self._works.get(key)
@@ -195,7 +223,7 @@ class Background:
             return len(self._works)
 
     def _serve(self) -> None:
-        """Make what was asked for, first come, first served, until nothing is left."""
+        """Make the requested calls in their order until none is left."""
         while (work := self._next()) is not None:
             result = self._call(work)
             with self._lock:
@@ -203,18 +231,18 @@ class Background:
             settle(work.future, result)
 
     def _call(self, work: _Work) -> Callable[[], Any]:
-        """Make a call and wait for it; return what returns or raises as it did."""
+        """Make a call and wait for it; return a function that returns or raises its outcome."""
         for last in (False, True):
             made = self._worker.call(work.function, *work.arguments)
             with suppress(CancelledError):
                 killed = isinstance(made.exception(), BrokenProcessPool)
                 if killed and not last and not self._closed:
-                    continue  # the next process may live
+                    continue  # another process may survive the call
             break
         return made.result
 
     def _next(self) -> _Work | None:
-        """Wait for a pause of the crowd; return the oldest work, or None where there is none."""
+        """Wait for a pause; return the oldest work, or None if there is none."""
         while True:
             with self._lock:
                 work = next(iter(self._works.values()), None)
@@ -228,14 +256,15 @@ class Background:
             sleep(wait)
 
     def _busy_until(self) -> float:
-        """Return until when the server is busy with a crowd, if no more messages come."""
+        """Return the time at which a pause begins if no more messages come."""
         now = monotonic()
-        for who in [one for one, when in self._active.items() if now - when > ACTIVE]:
-            del self._active[who]
+        for who, last in list(self._active.items()):
+            if now - last > ACTIVE:
+                del self._active[who]
         return [*self._active.values()][-1] + PAUSE if len(self._active) >= CROWD else 0.0
 
     def close(self) -> None:
-        """End the process, whatever it works on: nobody waits for it any more."""
+        """End the process at once: nobody waits for its work any more."""
         with self._lock:
             self._closed = True
             waiting = [key for key, work in self._works.items() if not work.begun]
@@ -246,4 +275,4 @@ class Background:
 
 
 background = Background()
-"""The server's one process for settled maps, shared by all sessions."""
+"""The one process that makes full maps, shared by all sessions of this server process."""

@@ -1,4 +1,4 @@
-"""The full picture of one session, made in the background while the session answers others."""
+"""The full picture of one session, made in the background while the session goes on."""
 
 from __future__ import annotations
 
@@ -34,7 +34,9 @@ class Settling:
 
         A window of None needs nothing.
         """
-        if window is None or self._scheduler.document is None:  # without a server nobody waits
+        if (
+            window is None or self._scheduler.document is None
+        ):  # without a server there is nobody to wait for
             self.drop()
             return Detail.REFINED
         if window != self._awaited:

@@ -1,4 +1,4 @@
-"""What the app tells whoever measures it; nobody does unless a server installs an observer."""
+"""Measurements of the dashboard, for a server that installs an observer."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from collections.abc import Callable
 __all__ = ["observe", "observers"]
 
 observers: list[Callable[[str, float], None]] = []
-"""Called with the name of what happened and its value."""
+"""Functions that are called with the name of an event and its value."""
 
 
 def observe(name: str, value: float = 1.0) -> None:
-    """Tell the observers: "update" [s], from a message of a page to its answer."""
+    """Report an event to the observers: "update", seconds from a message to its answer."""
     for observer in observers:
         observer(name, value)

@@ -1,8 +1,8 @@
-"""Which thread does what: one thread at a time works for the pages.
+"""Threads: one at a time works for the pages.
 
 Panel 1.9 runs all callbacks of a server on the thread of its event loop. From Panel 1.10 on (Bokeh
 3.10) the callbacks of different pages run in worker threads, at the same time. HoloViews, Pint and
-the caches of the app are made for one thread, so whoever works for a page holds `turn`.
+the charts of the app are made for one thread, so a thread that works for a page holds `turn`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import panel as pn
 __all__ = ["Scheduler", "turn"]
 
 turn = RLock()
-"""Held by the thread that works for a page: builds it, answers its message or calls it back."""
+"""The lock of the thread that builds a page, answers its message or runs its callback."""
 
 
 def _in_turn(callback: Callable[[], None]) -> None:
@@ -27,9 +27,10 @@ def _in_turn(callback: Callable[[], None]) -> None:
 
 
 class Scheduler:
-    """Calls functions, on request of any thread, with the lock of one page's document.
+    """Calls functions under the lock of one page's document; any thread may request a call.
 
-    It is made while the page is built: the document and the loop are those of that moment.
+    It is created while the page is built, and belongs to the document and the event loop of that
+    moment.
     """
 
     def __init__(self) -> None:
@@ -39,13 +40,13 @@ class Scheduler:
             self._loop = asyncio.get_running_loop()
 
     def call(self, callback: Callable[[], None]) -> None:
-        """Call soon, or never where the session has ended; at once where there is no document."""
+        """Call a function soon: at once if there is no document, never if the session has ended."""
         if self.document is None:
             _in_turn(callback)
             return
         add = partial(self._add, partial(_in_turn, callback))
         with suppress(RuntimeError):  # the loop has ended
-            # on the loop, because Bokeh gives a session the callbacks of its document there
+            # on the loop: only there Bokeh takes callbacks of a document
             add() if self._loop is None else self._loop.call_soon_threadsafe(add)
 
     def _add(self, callback: Callable[[], None]) -> None:
@@ -54,6 +55,6 @@ class Scheduler:
                 self.document.add_next_tick_callback(callback)
 
     def at_end(self, callback: Callable[[], None]) -> None:
-        """Call when the session ends."""
+        """Call a function when the session ends."""
         if self.document is not None:
             self.document.on_session_destroyed(lambda _: _in_turn(callback))

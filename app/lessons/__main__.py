@@ -1,4 +1,4 @@
-"""Check lessons: `python -m app.lessons FILE-OR-FOLDER …` prints faults, or every answer."""
+"""Check lessons: `python -m app.lessons FILE-OR-FOLDER …` prints errors, or every answer."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _report(lesson: Lesson) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """Check the files and folders of a command line; return how it went."""
+    """Check files and folders; return the exit code: 1 if a lesson has an error."""
     if not arguments:
         print(__doc__, file=sys.stderr)
         return 2

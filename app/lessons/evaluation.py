@@ -1,4 +1,4 @@
-"""The value of a quantity for one set of inputs, kept for all sessions."""
+"""The value of a quantity for one set of inputs, cached and shared by sessions."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""The little language of answers: a quantity, two of them, or a comparison. Nothing is executed.
+"""Reads the answers of questions: a quantity, two of them, or a comparison. No text is executed.
 
     term        a number, or the name of a quantity, perhaps at a case: `whirl.1F@before`
     expression  a term, or two with + - * / between them
     condition   two expressions with < > = between them
 
-Words are parted by spaces, so that the + in `tongue.1B+1F.centre` is part of the name.
+Spaces separate the words: the + in `tongue.1B+1F.centre` is part of the name.
 """
 
 from __future__ import annotations
@@ -19,13 +19,14 @@ from .quantities import find
 __all__ = ["Condition", "Expression", "Term", "read_condition", "read_expression"]
 
 DEFAULT_CASE = "after"
-_LONGEST = 200
+"""The case of a quantity without one: the inputs after the step's Try."""
+_LONGEST = 200  # characters
 _NUMBER = re.compile(r"[-+]?\d{1,9}(\.\d{1,9})?")
 _CASE = re.compile(r"[a-z][a-z0-9_]{0,30}")
-_NOTHING = 1e-9
+_NOTHING = 1e-9  # difference below which two numbers near 0 are equal
 
 Values = Callable[[str, str], float]
-"""A quantity's value by its name and case."""
+"""Returns the value of a quantity from its name and case."""
 
 
 @dataclass(frozen=True)
@@ -37,13 +38,13 @@ class Term:
     number: float = math.nan
 
     def value(self, values: Values) -> float:
-        """Return the number it stands for."""
+        """Return the value of the term."""
         return values(self.name, self.case) if self.name else self.number
 
 
 @dataclass(frozen=True)
 class Expression:
-    """One term, or two and what is done with them."""
+    """One term, or two terms with an operator between them."""
 
     first: Term
     operator: str = ""
@@ -51,11 +52,11 @@ class Expression:
 
     @property
     def terms(self) -> tuple[Term, ...]:
-        """Its terms."""
+        """The one or two terms."""
         return (self.first,) if self.second is None else (self.first, self.second)
 
     def value(self, values: Values) -> float:
-        """Return its value; NaN where it divides by nothing."""
+        """Return the value of the expression; NaN for a division by zero."""
         first = self.first.value(values)
         if self.second is None:
             return first
@@ -71,7 +72,7 @@ class Expression:
 
 @dataclass(frozen=True)
 class Condition:
-    """Two expressions and how they compare."""
+    """Two expressions with <, > or = between them."""
 
     left: Expression
     relation: str
@@ -83,7 +84,9 @@ class Condition:
         return (*self.left.terms, *self.right.terms)
 
     def holds(self, values: Values, tolerance: float) -> bool:
-        """Whether it is so; what differs by less than a share of the larger one is equal.
+        """Whether the comparison is true.
+
+        Sides that differ by less than `tolerance` times the larger one are equal.
 
         Raises
         ------

@@ -100,7 +100,7 @@ def _flag(values: Mapping[str, Any], key: str, table: Table) -> bool:
 
 
 def _front(lines: list[str]) -> tuple[Table, int]:
-    """Return the front matter and the number of the line after it."""
+    """Return the front matter and the number of lines that it takes."""
     if not lines or lines[0].strip() != "+++":
         raise LessonError(1, "the file must begin with a line +++")
     for number, line in enumerate(lines[1:], 1):

@@ -1,4 +1,4 @@
-"""The lessons that are there: built in, and from the folder of ROTORSTAB_LESSONS."""
+"""The lessons of a server: the built-in ones, and those of the folder ROTORSTAB_LESSONS."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _MOST_FILES = 200
 
 @dataclass(frozen=True)
 class Problem:
-    """A file that was left out, and why."""
+    """A file that is no lesson, with the line and the reason."""
 
     file: str
     line: int
@@ -35,7 +35,17 @@ class Problem:
 
 @dataclass(frozen=True)
 class Library:
-    """Lessons by key, the built-in ones first, and what was left out."""
+    """The lessons of a server.
+
+    Parameters
+    ----------
+    lessons : dict of str to Lesson
+        By key, the built-in ones first.
+    problems : tuple of Problem
+        The files that were left out.
+    foreign : frozenset of str
+        Keys of the lessons that are not built in.
+    """
 
     lessons: dict[str, Lesson]
     problems: tuple[Problem, ...]
@@ -43,7 +53,7 @@ class Library:
 
 
 def read_file(path: Path) -> Lesson | Problem:
-    """Return the lesson of one file, checked to the last answer, or what is wrong with it."""
+    """Return the lesson of one file, with every answer checked, or what is wrong with it."""
     if not _NAME.fullmatch(path.stem):
         return Problem(path.name, 1, "a lesson's file name has only a-z, 0-9 and -")
     try:
@@ -84,20 +94,20 @@ def read_folder(folder: Path) -> tuple[list[Lesson], list[Problem]]:
 
 
 def collect(folder: str | None) -> Library:
-    """Return the built-in lessons and those of a folder; one of the same name replaces."""
+    """Return the built-in lessons and those of a folder, which replace built-in ones by name."""
     lessons, problems = read_folder(Path(__file__).parent)
-    found = {one.key: one for one in lessons}
+    found = {lesson.key: lesson for lesson in lessons}
     foreign: list[Lesson] = []
     if folder:
         foreign, more = read_folder(Path(folder))
         problems += more
-        found |= {one.key: one for one in foreign}
-    return Library(found, tuple(problems), frozenset(one.key for one in foreign))
+        found |= {lesson.key: lesson for lesson in foreign}
+    return Library(found, tuple(problems), frozenset(lesson.key for lesson in foreign))
 
 
 @cache
 def library() -> Library:
-    """Return the process's lessons, read once; what is left out is logged."""
+    """Return the lessons, which are read once in a process; the log names what is left out."""
     found = collect(os.environ.get(VARIABLE))
     for problem in found.problems:
         _LOG.error("lesson left out: %s", problem)

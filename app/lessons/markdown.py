@@ -1,4 +1,4 @@
-"""Markdown from a file to HTML that can do nothing: no raw HTML, no pictures, web links only."""
+"""Turns Markdown into safe HTML: no raw HTML, no pictures, links to the web only."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _SYMBOL = re.compile(r"([^\W\d_]̄?)_([^\W_²³]{1,8})")
 
 
 def plain(text: str) -> Markup:
-    """Return a text escaped, its symbols with subscripts."""
+    """Return a text escaped for HTML, with the subscripts of its symbols."""
     return Markup(_SYMBOL.sub(r'<span class="symbol">\1<sub>\2</sub></span>', str(escape(text))))
 
 
@@ -30,7 +30,7 @@ class _Renderer(RendererHTML):
     def link_open(
         self, tokens: Sequence[Token], idx: int, options: OptionsDict, env: EnvType
     ) -> str:
-        """Open a link elsewhere in a tab of its own, so that the lesson stays."""
+        """Open a link to the web in a new tab, so that the lesson stays."""
         if str(tokens[idx].attrGet("href")).startswith("http"):
             tokens[idx].attrSet("target", "_blank")
             tokens[idx].attrSet("rel", "noopener noreferrer")
@@ -40,7 +40,7 @@ class _Renderer(RendererHTML):
 def _maker() -> MarkdownIt:
     made = MarkdownIt("commonmark", {"html": False}, renderer_cls=_Renderer)
     made.enable("table").disable(["image", "html_block", "html_inline"])
-    # everything but the web and this page's own places stays text
+    # a link that leads neither to the web nor into this page stays text
     made.validateLink = lambda url: bool(re.match(r"(https?://|#)", url.strip(), re.IGNORECASE))  # type: ignore[method-assign]
     return made
 
@@ -49,7 +49,7 @@ _MARKDOWN = _maker()
 
 
 def tokens(text: str) -> list[Token]:
-    """Return the blocks of a text, which know their lines."""
+    """Return the blocks of a text with the numbers of their lines."""
     return _MARKDOWN.parse(text)
 
 

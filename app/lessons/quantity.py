@@ -11,29 +11,27 @@ from ..state import State
 
 __all__ = ["Quantity"]
 
-_NUMBERS = tuple(
-    name for name, value in State().inputs().items() if isinstance(value, float) and name != "name"
-)
+_NUMBERS = tuple(name for name, value in State().inputs().items() if isinstance(value, float))
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """A named number of a situation.
+    """A named number that follows from the inputs of the page.
 
     Parameters
     ----------
     form : str
-        As a teacher writes it, with <mode>, <pair>, <n> or <name> for its parts.
+        The name as a teacher writes it, with <mode>, <pair>, <n>, <way> or <name> for its parts.
     label : str
-        A few words and the symbol for the lesson's panel, with {0} for its part.
+        A few words and the symbol for the lesson's panel, with {0} for the first part.
     doc : str
         One line for the documentation.
     compute : callable
-        From the situation and the parts.
+        Returns the number from the `Situation` and the parts.
     flag : bool
-        Whether it is 1 for yes and 0 for no.
+        Whether it is a yes (1) or no (0).
     at_factor : bool
-        Whether it is of the marker's β_d, marker or not, which is then said with it.
+        Whether it depends on the marker's β_d, with a marker or without; the page then shows β_d.
     """
 
     form: str

@@ -19,7 +19,7 @@ _PERCENT = re.compile(r"(\d{1,3}(?:\.\d{1,3})?) ?%")
 
 @dataclass(frozen=True)
 class Choice:
-    """One answer to choose; it is right if its condition holds."""
+    """One of the answers of a choice; it is right if its condition holds."""
 
     text: str
     when: Condition
@@ -67,7 +67,7 @@ class Question:
 
     @property
     def kind(self) -> str:
-        """What sort of question it is."""
+        """The kind of the question: "number", "choice" or "goal"."""
         return "number" if self.answer else "goal" if self.goal else "choice"
 
 
@@ -177,7 +177,10 @@ def _choices(entries: Any, table: Table) -> Iterator[Choice]:
 def case_inputs(
     case: Mapping[str, Any], after: Mapping[str, Any], table: Table | None = None
 ) -> tuple[dict[str, Any], float | None]:
-    """Return the inputs of a case, and its own steady load if it has one."""
+    """Return the inputs of a case, and its own steady load or None.
+
+    `after` are the inputs after Try, from which those of the case differ.
+    """
     table = table or Table("", 0)
     values = dict(case)
     load = values.pop("load", None)

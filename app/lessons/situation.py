@@ -1,4 +1,4 @@
-"""One set of inputs, and what follows from them when it is asked for."""
+"""One set of inputs, and the results that a quantity needs, computed when it is evaluated."""
 
 from __future__ import annotations
 
@@ -31,11 +31,20 @@ from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]
 
-LARGEST_LOAD = 6.0  # of a case's own load, either sign [EI/L²]
+LARGEST_LOAD = 6.0
+"""Largest magnitude of a case's own steady load [EI/L²]."""
 
 
 class Situation:
-    """One set of inputs, and what follows from them when asked for."""
+    """One set of inputs and what follows from them; every result is computed once, when needed.
+
+    Parameters
+    ----------
+    inputs : mapping
+        Every input of `State`, by name.
+    load : float or None
+        Steady load p̄₀ instead of α_s times the reference [EI/L²].
+    """
 
     def __init__(self, inputs: Mapping[str, Any], load: float | None = None) -> None:
         state = State(**inputs)
@@ -45,28 +54,28 @@ class Situation:
         self.tangency = state.effective_tangency()
         self.model = model_of(state)
         self._factor = state.static_load_factor
-        self._given_load = load
+        self._own_load = load
         self._reference = state.reference
         self.at_rest = lumped(self.rotor, 0.0, 1.0)
 
     @cached_property
     def system(self) -> System:
-        """The rotor that the charts are of."""
+        """The system of the charts."""
         return self.model.system(self.spin, self.tangency)
 
     @cached_property
     def undamped(self) -> System:
-        """The same without damping, which is what Bolotin's method is for."""
+        """The system without damping, which is what Bolotin's method is for."""
         return self.model.undamped().system(self.spin, self.tangency)
 
     @cached_property
     def fundamental(self) -> float:
-        """ω_n, by which the charts divide θ̄."""
+        """ω_n: the charts show θ̄ divided by it."""
         return fundamental_frequency(self.at_rest)
 
     @cached_property
     def buckling(self) -> float:
-        """p̄_cr."""
+        """Static buckling load p̄_cr."""
         return float(critical_load(self.rotor.shear))
 
     @cached_property
@@ -77,7 +86,7 @@ class Situation:
     @cached_property
     def static(self) -> float:
         """p̄₀: the case's own load, else α_s times the reference."""
-        return self._factor * self.reference if self._given_load is None else self._given_load
+        return self._factor * self.reference if self._own_load is None else self._own_load
 
     @cached_property
     def pulsating(self) -> float:
@@ -96,7 +105,7 @@ class Situation:
 
     @cached_property
     def floquet(self) -> FloquetSolution:
-        """The marker's point."""
+        """Floquet's answer at the marker."""
         return floquet_solution(self.system, self.static, self.pulsating, self.frequency)
 
     @cached_property

@@ -1,1 +1,1 @@
-"""What changes on the page without being built anew: charts that are patched, and the sidebar."""
+"""What changes on the page without being rebuilt: charts that are patched, and the sidebar."""

@@ -32,8 +32,8 @@ def _same(new: Any, old: Any) -> bool:
     return bool(new == old)
 
 
-def _named(chart: Chart) -> tuple[str, ...]:
-    """Return what tells a chart's units: a thicker shaft may turn N into kN."""
+def _labels(chart: Chart) -> tuple[str, ...]:
+    """Return the units and names of a chart: those of a thicker shaft may be kN instead of N."""
     return chart.units, chart.x_label, chart.y_label
 
 
@@ -64,7 +64,7 @@ class LiveChart:
             if layer.label not in self.sources:
                 self._add(layer)
             columns, drawn = screen.columns(layer), self._drawn.get(layer.label, {})
-            # of 12 curves mostly the ordinates move; whole columns, because a new length moves all
+            # mostly only the ordinates of curves move; a column is replaced as a whole
             moved = {
                 name: column
                 for name, column in columns.items()
@@ -75,7 +75,7 @@ class LiveChart:
                 self._drawn[layer.label] = columns
                 if layer.label in self._colours and layer.label == "growth":
                     self._rescale(columns["image"][0])
-        if _named(chart) != _named(self._chart):
+        if _labels(chart) != _labels(self._chart):
             self._rename(self._chart, chart)
         self._chart = chart
         for axis, wanted in (("x", chart.x_range), ("y", chart.y_range)):
@@ -84,7 +84,7 @@ class LiveChart:
             self._ranges[axis] = (bokeh_range, wanted)
 
     def _rename(self, old: Chart, new: Chart) -> None:
-        """Name axes and hovers in other units, and undo a zoom: it was in the old ones."""
+        """Name axes and hovers in new units, and undo a zoom, which was in the old ones."""
         names = dict(zip(screen.hover_names(old), screen.hover_names(new), strict=True))
         for axis, label in ((self.figure.xaxis, new.x_label), (self.figure.yaxis, new.y_label)):
             axis.axis_label = label
@@ -105,8 +105,8 @@ class LiveChart:
             self.sources[label].data = dict(self._drawn[label])
 
     def _rescale(self, image: np.ndarray) -> None:
-        """Fit the colours to the largest growth, in steps, so that they rarely move."""
-        # the few pixels of very slow loads would leave no colour for the rest
+        """Fit the colours to the largest growth, rounded up so that they rarely change."""
+        # not the maximum: a few pixels of very slow loads would take all colours
         largest = float(np.nanpercentile(image, 98)) if np.isfinite(image).any() else 0.0
         step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
         top = float(np.ceil(largest / step) * step) or 1.0
@@ -115,7 +115,7 @@ class LiveChart:
         self._colours["growth"].high = top
 
     def keep_colours(self, keep: bool) -> None:
-        """From now on let the scale of the colours only grow, for maps to be compared; or not."""
+        """Let the colour scale only grow from now on, to compare maps; or fit it to each map."""
         self._least_top = 0.0 if keep else None
         if "growth" in self._colours and "growth" in self._drawn:
             self._rescale(self._drawn["growth"]["image"][0])

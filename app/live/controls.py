@@ -1,8 +1,8 @@
 """The sidebar component and its protocol: one message in, one answer out.
 
 The browser sends the newest values only after it has painted the answer to the last ones
-(latest wins), so nothing is queued, with one user or many. Every message is answered with its
-number, in the order of the messages: a page that gets no answer knows that nobody hears it.
+(the latest values win), so nothing is queued, with one user or many. Every message is answered with
+its number, in the order of the messages: a page that gets no answer knows that the server is away.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ WORDS = {
 
 
 def field(name: str) -> dict[str, Any]:
-    """Describe one input for the browser, from the state's own declaration."""
+    """Return the declaration of one input in the state, for the browser."""
     parameter = State.param[name]
     found = {
         "name": name,
@@ -94,9 +94,12 @@ def field(name: str) -> dict[str, Any]:
 
 
 class Controls(pn.custom.JSComponent):
-    """Sliders, number boxes and choices; `respond` answers each message.
+    """Sliders, number boxes and choices.
 
-    `respond` takes a message (a mapping with a "type") and returns the answer's content.
+    Parameters
+    ----------
+    respond : callable
+        Takes a message, a mapping with a "type", and returns the content of the answer.
     """
 
     spec = param.List(doc="Groups of fields.")
@@ -118,12 +121,12 @@ class Controls(pn.custom.JSComponent):
         )
 
     def _handle_msg(self, data: Any) -> None:
-        """Answer one message; anything that is not one is ignored."""
+        """Answer one message; anything that is not a mapping is ignored."""
         if not isinstance(data, Mapping):
             return
         sequence = data.get("seq")
         number = {"seq": sequence if isinstance(sequence, int) else 0}
-        if data.get("type") == "ping":  # whether anybody is there: nothing is looked at
+        if data.get("type") == "ping":  # asks only whether the server is there
             self._send_msg(number)
             return
         with turn, pn.io.hold():  # patches and answer leave as one message
@@ -137,18 +140,18 @@ class Controls(pn.custom.JSComponent):
         observe("update", perf_counter() - began)
 
     def _server_event(self, doc: Document, event: Event) -> None:
-        """Answer a message at once: whoever brings it holds the document's lock.
+        """Answer a message at once, while its thread holds the lock of the document.
 
-        Panel puts off what comes before it has heard that the page is ready. From 1.10 on it then
-        works without that lock, and the page has no answer.
+        Panel postpones messages that come before the page has reported that it is ready. From
+        Panel 1.10 on it then works without that lock, and the page gets no answer.
         """
         self._comm_event(doc, event)
 
     def _process_bokeh_event(self, doc: Document, event: Event) -> None:
-        """Do without Panel's busy indicator, which the page lacks: a tenth of a move."""
+        """Process an event without Panel's busy indicator: the page has none, and it costs 10 %."""
         with set_curdoc(doc):
             self._process_event(event)
 
     def send(self, content: Mapping[str, Any]) -> None:
-        """Send the browser something it did not wait for."""
+        """Send the browser a message that it did not ask for."""
         self._send_msg(dict(content))

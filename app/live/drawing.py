@@ -1,6 +1,7 @@
-"""Figures drawn by HoloViews once a process; every session gets a copy.
+"""Figures that HoloViews draws once in a process; every session gets a copy.
 
-HoloViews needs seconds of the server's one thread for a page, a copy a fraction of one.
+For all charts of a page HoloViews needs seconds of the server's one thread, a copy a fraction of a
+second.
 """
 
 from __future__ import annotations
@@ -26,24 +27,32 @@ _RENDERER = hv.renderer("bokeh").instance(mode="server", webgl=False)
 
 @dataclass(frozen=True)
 class Drawing:
-    """One Bokeh figure without data and its parts by the label of their layer.
+    """One Bokeh figure without data, and its parts by the label of their layer.
 
-    `x_range`, `y_range` and `chart` tell how it was drawn.
+    Parameters
+    ----------
+    figure : bokeh.plotting.figure
+    sources, renderers : dict
+        By label.
+    colours : dict
+        Colour mappers of maps, by label.
+    chart : Chart
+        The chart that HoloViews drew; the figure has its ranges, units and names.
     """
 
     figure: Any
     sources: dict[str, Any]
     renderers: dict[str, Any]
-    colours: dict[str, Any]  # of maps
+    colours: dict[str, Any]
     chart: Chart
 
 
 @dataclass(frozen=True)
 class _Kind:
-    """What a figure's parts depend on; its data, units, names and ranges are patched.
+    """What the parts of a figure depend on; its data, units, names and ranges are patched.
 
-    Charts of one structure have a drawing each, for a copy keeps its models' ids, and those of one
-    page must differ.
+    Two charts of the same structure have a drawing each: a copy keeps the ids of its models, and
+    all ids on a page must differ.
     """
 
     key: str
@@ -53,21 +62,21 @@ class _Kind:
 
 @shared_cache(64)
 def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
-    """Return a figure in Bokeh's serial form, which layers have colours, and what was drawn."""
+    """Return a figure in Bokeh's serial form, the layers with colours, and the chart drawn."""
     layers = kind.chart.layers
     plot = _RENDERER.get_plot(screen.element(kind.chart))
-    parts: list[dict[str, Any]] = [one.handles for one in plot.subplots.values()]
-    named = [(layer, one) for layer, one in zip(layers, parts, strict=True)]
+    parts: list[dict[str, Any]] = [subplot.handles for subplot in plot.subplots.values()]
+    layer_parts = list(zip(layers, parts, strict=True))
     figure = plot.state
-    for layer, one in named:
-        renderer = one["glyph_renderer"]
+    for layer, part in layer_parts:
+        renderer = part["glyph_renderer"]
         renderer.name = layer.label  # by which the browser finds it
-        # nothing is ever selected or muted; each of these models is paid for with every page
+        # nothing is ever selected or muted, and every page would be sent these models
         renderer.update(selection_glyph="auto", nonselection_glyph="auto", muted_glyph="auto")
-        one["source"].data = {}
+        part["source"].data = {}
     figure.name = kind.key
     coloured = frozenset(
-        layer.label for layer, one in named if layer.kind == "map" and "color_mapper" in one
+        layer.label for layer, part in layer_parts if layer.kind == "map" and "color_mapper" in part
     )
     text = Serializer().serialize(figure)
     # the plot has joined the session that is being served, but serves all of them
@@ -76,16 +85,16 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
 
 
 def draw(chart: Chart) -> Drawing:
-    """Return a figure of its own for a chart, without data and what comes and goes."""
+    """Return a new figure for a chart, without data and without `COMING_AND_GOING` layers."""
     fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
     layers = tuple((layer.kind, layer.label) for layer in fixed)
     kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
     text, coloured, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
-    renderers = {one.name: one for one in figure.renderers}
+    renderers = {renderer.name: renderer for renderer in figure.renderers}
     return Drawing(
         figure,
-        {label: one.data_source for label, one in renderers.items()},
+        {label: renderer.data_source for label, renderer in renderers.items()},
         renderers,
         {label: renderers[label].glyph.color_mapper for label in coloured},
         first,

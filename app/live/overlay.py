@@ -1,6 +1,6 @@
 """Marks that come and go on a chart that HoloViews has drawn: markers, rulers, pinned curves.
 
-A layer that every chart carried from the start would cost each first paint some 15 ms.
+If every chart had these layers from the start, each first paint would take some 15 ms longer.
 """
 
 from __future__ import annotations

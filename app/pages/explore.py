@@ -43,7 +43,7 @@ class Explore(Page):
     def __init__(self) -> None:
         super().__init__()
         self.pins: list[Pin] = []
-        self._expected: list[PinnedInputs] = []  # pins of the address that are not solved yet
+        self._unsolved_pins: list[PinnedInputs] = []  # of the address
 
     @classmethod
     def fragment(cls) -> str:
@@ -55,10 +55,7 @@ class Explore(Page):
         return text
 
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
-        """Return the three charts, and the inspector's where a point is marked.
-
-        The map of growth is coarser while sliders move.
-        """
+        """Return the three charts, and those of the marked point if there is one."""
         result = solve(state, detail)
         charts = with_marks(result.charts, state, result) if state.marker else result.charts
         charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
@@ -69,27 +66,27 @@ class Explore(Page):
         return charts
 
     def awaited(self, state: State) -> Window | None:
-        """Return the window of the growth map until all of its picture is there."""
+        """Return the window of the growth map until its refined map is there."""
         try:
             window = window_of(state)
-        except ValueError:  # `compute` says it in words
+        except ValueError:  # `compute` raises the same error, for the user
             return None
         return None if known_detail(window) is Detail.REFINED else window
 
     def cache_key(self) -> tuple[Any, ...]:
-        """Return what tells these charts from others of the same inputs."""
-        return tuple((one.name, one.number, *one.inputs.values()) for one in self.pins)
+        """Return names, numbers and inputs of the pins, which the charts show."""
+        return tuple((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
 
     @staticmethod
     def _inspect(state: State, result: Result) -> Inspection | str:
-        """Return the inspection or, where there is none, why."""
+        """Return the inspection of the marked point, or the reason why there is none."""
         try:
             return inspect(state, result)
         except ValueError as error:
             return user_message(error)
 
     def visible(self, state: State) -> dict[str, bool]:
-        """Return the layers of the instability chart that can be switched."""
+        """Return by label whether a layer of the instability chart is switched on."""
         return {
             "growth": state.show_growth,
             "tongue edge": state.show_growth,
@@ -108,70 +105,57 @@ class Explore(Page):
             )
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
-        """Keep the present curves as a ghost, or let one go."""
+        """Pin the present curves, remove a pin, or read or write the rotor."""
         kind = message.get("type")
         if kind == "pin":
-            try:
-                made = pin(state, message.get("label"), self.pin_inputs())
-            except ValueError as error:
-                return Reply({"told": user_message(error)})
-            if made is None:
-                return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
-            self.pins = sorted([*self.pins, made], key=lambda one: one.number)
-            return Reply({"told": f"{made.name} is kept"})
-        if kind in self.takes:
-            return self._shaft(kind, message.get("text"), state)
+            return self._pin(message.get("label"), state)
         if kind == "unpin":
-            self.pins = [one for one in self.pins if one.number != message.get("number")]
+            self.pins = [pin for pin in self.pins if pin.number != message.get("number")]
+        elif kind == "use_shaft":
+            return _use_shaft(state)
+        elif kind == "rotor_file":
+            return _open_rotor_file(message.get("text"), state)
+        elif kind == "save_rotor_file":
+            return _save_rotor_file(state)
         return Reply()
+
+    def _pin(self, name: object, state: State) -> Reply:
+        try:
+            made = pin(state, name, self.pin_inputs())
+        except ValueError as error:
+            return Reply({"told": user_message(error)})
+        if made is None:
+            return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
+        self._add(made)
+        return Reply({"told": f"{made.name} is kept"})
+
+    def _add(self, made: Pin) -> None:
+        self.pins = sorted([*self.pins, made], key=lambda pin: pin.number)
 
     def pin_inputs(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
-        return sorted([*self.pins, *self._expected], key=lambda one: one.number)
+        return sorted([*self.pins, *self._unsolved_pins], key=lambda pin: pin.number)
 
     def set_address_pins(self, pins: Sequence[PinnedInputs]) -> None:
-        """Take the pins of an address."""
-        self._expected = list(pins)
+        """Note the pins of an address, which `restore_next_pin` solves one by one."""
+        self._unsolved_pins = list(pins)
 
     def restore_next_pin(self) -> str | None:
         """Solve one pin of the address; return None if no pin was waiting."""
-        if not self._expected:
+        if not self._unsolved_pins:
             return None
-        one = self._expected.pop(0)
+        unsolved = self._unsolved_pins.pop(0)
         try:
-            self.pins = sorted([*self.pins, solved(one)], key=lambda pin: pin.number)
+            self._add(solved(unsolved))
         except ValueError as error:
-            return f"p{one.number} ({user_message(error)})"
+            return f"p{unsolved.number} ({user_message(error)})"
         except Exception:
-            _LOG.exception("a pin of the address failed: %r", one.inputs)
-            return f"p{one.number} (it could not be computed)"
+            _LOG.exception("a pin of the address failed: %r", unsolved.inputs)
+            return f"p{unsolved.number} (it could not be computed)"
         return ""
 
-    @staticmethod
-    def _shaft(kind: object, text: object, state: State) -> Reply:
-        """Put a shaft in SI into the sliders, or read or write a rotor file."""
-        if kind == "use_shaft":
-            errors = state.use_shaft()
-            problem = "; ".join(f"{SYMBOLS.get(name, name)} {one}" for name, one in errors.items())
-            return Reply({"shaft_error": problem})
-        if kind == "save_rotor_file":
-            data = b64encode(write_rotor_file(state).encode()).decode()
-            name = "rotor.toml"
-            file = {"name": name, "mime": "application/toml", "base64": data}
-            return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
-        try:
-            # the rotor whole or not at all: a bad file leaves every input as it was
-            values, left_out = read_rotor_file(text if isinstance(text, str) else "")
-        except ValueError as error:
-            return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
-        state.change(values)
-        if left_out:
-            notice = f"The rotor was taken, but not {'; '.join(left_out)}."
-            return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
-        return Reply({"shaft_error": "", "told": "the rotor file is open"})
-
     def sidebar_answer(self, state: State) -> dict[str, Any]:
-        """Return what the shaft in SI gives, for the sidebar, which every page has."""
+        """Return what the shaft in SI gives, for the sidebar, which is beside every page."""
         return {"shaft": shaft_words(state)}
 
     def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
@@ -195,11 +179,39 @@ class Explore(Page):
             "pins": differences(state, result, self.pins) if self.pins else None,
         }
         if state.marker and not self.opening:
-            found = self._inspect(state, result)
-            if isinstance(found, str):
-                answer["inspector"] = {"sentence": found, "facts": []}
+            inspection = self._inspect(state, result)
+            if isinstance(inspection, str):
+                answer["inspector"] = {"sentence": inspection, "facts": []}
             else:
-                # the animation waits for rest: it needs no message a frame
-                moving = {} if detail is Detail.COARSE else {"motion": found.motion}
-                answer["inspector"] = {"sentence": found.sentence, "facts": found.facts} | moving
+                # the animation runs in the browser, and begins when the inputs rest
+                moving = {} if detail is Detail.COARSE else {"motion": inspection.motion}
+                point = {"sentence": inspection.sentence, "facts": inspection.facts}
+                answer["inspector"] = point | moving
         return answer
+
+
+def _use_shaft(state: State) -> Reply:
+    """Set the non-dimensional inputs from the shaft in SI."""
+    errors = state.use_shaft()
+    problem = "; ".join(f"{SYMBOLS.get(name, name)} {reason}" for name, reason in errors.items())
+    return Reply({"shaft_error": problem})
+
+
+def _save_rotor_file(state: State) -> Reply:
+    data = b64encode(write_rotor_file(state).encode()).decode()
+    name = "rotor.toml"
+    file = {"name": name, "mime": "application/toml", "base64": data}
+    return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
+
+
+def _open_rotor_file(text: object, state: State) -> Reply:
+    """Set the inputs from a rotor file; a bad file leaves every input as it was."""
+    try:
+        values, left_out = read_rotor_file(text if isinstance(text, str) else "")
+    except ValueError as error:
+        return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
+    state.change(values)
+    if left_out:
+        notice = f"The rotor was taken, but not {'; '.join(left_out)}."
+        return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
+    return Reply({"shaft_error": "", "told": "the rotor file is open"})

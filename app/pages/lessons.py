@@ -1,4 +1,4 @@
-"""Lessons: the list, and the one that stands beside the live charts while it runs."""
+"""Lessons: the list, and the lesson that runs beside the live charts of other pages."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ _NO_ANSWER = "The solver has no answer here. Go on with “Show me”."
 
 def cards() -> list[dict[str, Any]]:
     """Return what the list shows of each lesson."""
-    books = library()
+    known = library()
     return [
         {
-            "key": one.key,
-            "title": plain(one.title),
-            "summary": plain(one.summary),
-            "minutes": one.minutes,
-            "steps": len(one.steps),
-            "foreign": one.key in books.foreign,
+            "key": lesson.key,
+            "title": plain(lesson.title),
+            "summary": plain(lesson.summary),
+            "minutes": lesson.minutes,
+            "steps": len(lesson.steps),
+            "foreign": lesson.key in known.foreign,
         }
-        for one in books.lessons.values()
+        for lesson in known.lessons.values()
     ]
 
 
@@ -52,7 +52,7 @@ def _label(name: str) -> str:
     return str(plain(quantity.label.format(*parts)))
 
 
-def _now(name: str, inputs: Mapping[str, Any]) -> str:
+def _present_value(name: str, inputs: Mapping[str, Any]) -> str:
     """Return a quantity's present value as text."""
     try:
         value = evaluate(name, inputs)
@@ -70,13 +70,13 @@ def _now(name: str, inputs: Mapping[str, Any]) -> str:
 
 
 def _asked(step: Step) -> list[str]:
-    """Return the quantities that a number is asked of; the key numbers would tell them."""
+    """Return the quantities of the answer that the page hides, since they would give it away."""
     answer = step.question.answer
     return [one.name for one in answer.terms if one.name not in step.given] if answer else []
 
 
 def describe(lesson: Lesson, index: int) -> dict[str, Any]:
-    """Return one step as plain values for the browser, its answer left out."""
+    """Return one step as plain values for the browser, without its answer."""
     step = lesson.steps[index]
     question = step.question
     keys = list(library().lessons)
@@ -108,7 +108,7 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
 
 
 class Lessons(Page):
-    """The list of lessons; it also answers for the lesson beside the charts of other pages."""
+    """The list of lessons, and the answers of the lesson beside the charts of other pages."""
 
     key = "lessons"
     title = "Lessons"
@@ -117,7 +117,7 @@ class Lessons(Page):
     def __init__(self) -> None:
         super().__init__()
         self._running: tuple[Lesson, int] | None = None
-        self._before: dict[str, Any] = {}  # the inputs that a lesson's end brings back
+        self._before: dict[str, Any] = {}  # the inputs that are restored when the lesson ends
 
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return no charts of its own."""
@@ -125,11 +125,11 @@ class Lessons(Page):
 
     @property
     def step(self) -> Step | None:
-        """The step that runs."""
+        """The step that is running, or None."""
         return None if self._running is None else self._running[0].steps[self._running[1]]
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
-        """Begin a step, set what its Try says, judge an answer, show it, or end."""
+        """Begin a step, set the inputs of its Try, grade an answer, show it, or end the lesson."""
         kind, step = message.get("type"), self.step
         if kind == "lesson":
             return self._begin(message, state)
@@ -143,10 +143,10 @@ class Lessons(Page):
         elif kind == "lesson-set":
             state.change(step.after)
         elif kind == "lesson-answer":
-            return Reply({"lesson_answer": self._judge(step, message.get("value"), state)})
+            return Reply({"lesson_answer": self._grade(step, message.get("value"), state)})
         elif kind == "lesson-show":
             recalled = message.get("recall") is True
-            return Reply({"lesson_answer": {**self._told(step), "recalled": recalled}})
+            return Reply({"lesson_answer": {**_shown_answer(step), "recalled": recalled}})
         return Reply()
 
     def _begin(self, message: Mapping[str, Any], state: State) -> Reply:
@@ -166,7 +166,7 @@ class Lessons(Page):
             answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
         return Reply(answer, reset_view=not message.get("keep"), keep_colours=True)
 
-    def _judge(self, step: Step, value: Any, state: State) -> dict[str, Any]:
+    def _grade(self, step: Step, value: Any, state: State) -> dict[str, Any]:
         try:
             verdict = grade(step, value, state.inputs())
         except Unanswerable:
@@ -174,17 +174,23 @@ class Lessons(Page):
             return {"right": False, "counted": False, "words": _NO_ANSWER}
         return {"right": verdict.right, "counted": verdict.counted, "words": verdict.words}
 
-    def _told(self, step: Step) -> dict[str, Any]:
-        try:
-            words = solver_answer(step)
-        except Unanswerable:
-            words = "The solver has no answer here."
-        return {"right": False, "counted": True, "words": words, "shown": True}
-
     def sidebar_answer(self, state: State) -> dict[str, Any]:
-        """Return the numbers that the running step follows."""
+        """Return the present values of the quantities that the running step shows."""
         step = self.step
         if step is None:
             return {}
         inputs = state.inputs()
-        return {"lesson_numbers": {name: _now(name, inputs) for name in (*step.given, *step.watch)}}
+        return {
+            "lesson_numbers": {
+                name: _present_value(name, inputs) for name in (*step.given, *step.watch)
+            }
+        }
+
+
+def _shown_answer(step: Step) -> dict[str, Any]:
+    """Return the solver's answer in the form of a grade."""
+    try:
+        words = solver_answer(step)
+    except Unanswerable:
+        words = "The solver has no answer here."
+    return {"right": False, "counted": True, "words": words, "shown": True}

@@ -1,4 +1,4 @@
-"""Paper: every figure, its parameters, what the text says of it, what the numbers show."""
+"""Paper: every figure with its parameters, what the text says of it and what we compute."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _FIELDS = ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
 
 
 def _settings(figure: Figure) -> list[dict[str, Any]]:
-    """Return what to set on the Explore (or Stiffness) page for each panel of a figure."""
-    given = figure.parameters
-    common: dict[str, Any] = {name: given[name] for name in _FIELDS if name in given}
-    common["load_type"] = "follower" if given.get("tangency") else "axial"
+    """Return for each panel of a figure the page and the inputs that show the same case."""
+    parameters = figure.parameters
+    common: dict[str, Any] = {name: parameters[name] for name in _FIELDS if name in parameters}
+    common["load_type"] = "follower" if parameters.get("tangency") else "axial"
     common["reference"] = "buckling"
-    factors = given.get("static_load_factors", given.get("static_load_factor"))
+    factors = parameters.get("static_load_factors", parameters.get("static_load_factor"))
     if factors is not None:
         common["static_load_factor"] = factors[-1] if isinstance(factors, list) else factors
     if figure.number in (2, 3):
@@ -38,7 +38,7 @@ def _settings(figure: Figure) -> list[dict[str, Any]]:
             {"label": f"({panel.letter}) {panel.title}", "page": "explore", "values": PRESETS[name]}
             for panel, name in zip(figure.panels, presets, strict=True)
         ]
-    speeds = given["spin_speeds"]
+    speeds = parameters["spin_speeds"]
     assert isinstance(speeds, list)  # one for each panel
     return [
         {

@@ -1,4 +1,4 @@
-"""Pins: curves of earlier settings kept as ghosts, and what differs between them and now."""
+"""Pins: curves of earlier settings that stay on the charts, and how those differ from now."""
 
 from __future__ import annotations
 
@@ -23,37 +23,38 @@ from ..words.si import chart_in_si, key_numbers, quantities_in_si, shown_scales
 __all__ = ["Pin", "differences", "ghosted", "pin", "solved"]
 
 _CURVES = {"instability": "boundary", "load-frequency": "whirl", "campbell": "whirl"}
-# non-dimensional and in SI, where loads are in the unit of the present shaft
+# labels, non-dimensional and in SI; {} is the unit of load of the present shaft
 _NUMBERS = {
     "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [{}]"),
     "flutter": ("Flutter load p̄_f", "Flutter load P_f [{}]"),
     "static_load": ("Static load p̄_0", "Static load P_0 [{}]"),
     "fundamental": ("At rest ω̄_n", "At rest f_n [Hz]"),
 }
-_RANGES = ("lowest", "highest", "largest")
+_RANGES = ("lowest", "highest", "largest")  # inputs that begin so move no curve of a pin
 
 
 @dataclass(frozen=True, eq=False)
 class Pin(PinnedInputs):
-    """A setting that is kept, and its curves.
+    """A pinned setting with its curves.
 
     Parameters
     ----------
     result : Result
     scales : Scales
         Of its own shaft.
-    settled : bool
-        Whether the shares of the window are from the fine map.
+    refined : bool
+        Whether the shares of the window are those of a refined map.
     """
 
     result: Result
     scales: Scales
-    settled: bool
+    refined: bool
 
 
 def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
-    """Return a pin of the present state, or None where all places are taken."""
-    free = [n for n in range(1, MOST_PINS + 1) if n not in {one.number for one in pins}]
+    """Return a pin of the present state, or None if there are `MOST_PINS` already."""
+    taken = {pin.number for pin in pins}
+    free = [number for number in range(1, MOST_PINS + 1) if number not in taken]
     if not free:
         return None
     inputs = state.inputs()
@@ -61,27 +62,32 @@ def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
     return solved(PinnedInputs(pin_name(name, free[0]), free[0], kept))
 
 
-def solved(one: PinnedInputs) -> Pin:
-    """Return a pin with its curves.
+def solved(pinned: PinnedInputs) -> Pin:
+    """Return a pinned setting with its curves.
 
     Raises
     ------
     ValueError
         With words for the page, where its inputs have no answer.
     """
-    state = State(**one.inputs)
-    # no curve of a pin is of the growth map, so nobody waits for a fine one
-    settled = known_detail(window_of(state)) is Detail.REFINED
-    result = solve(state, Detail.REFINED if settled else Detail.COARSE)
-    return Pin(one.name, one.number, one.inputs, result, state.scales(), settled)
+    state = State(**pinned.inputs)
+    # no curve depends on the growth map: a refined one is used only if it is there
+    refined = known_detail(window_of(state)) is Detail.REFINED
+    result = solve(state, Detail.REFINED if refined else Detail.COARSE)
+    return Pin(pinned.name, pinned.number, pinned.inputs, result, state.scales(), refined)
 
 
 def ghosted(
     charts: dict[str, Chart], pins: Sequence[Pin], scales: Scales | None
 ) -> dict[str, Chart]:
-    """Return the charts with the pinned curves added, in the charts' units.
+    """Return the charts with the pinned curves added.
 
-    `scales` are those of the present shaft, or None for the paper's numbers.
+    Parameters
+    ----------
+    charts : dict of str to Chart
+    pins : sequence of Pin
+    scales : Scales or None
+        Of the present shaft if the charts are in SI, or None.
     """
     if not pins:
         return charts
@@ -94,14 +100,14 @@ def ghosted(
 
 
 def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
-    """Return the pinned curves that are not just the present ones again."""
+    """Return the pinned curves, without those that are equal to a present one."""
     label = _CURVES[now.key]
     present = now.layer(label).columns
     columns: dict[str, list[Any]] = {key: [] for key in ("xs", "ys", "name", "role", "group")}
-    for one in pins:
-        chart = one.result.charts[now.key]
+    for pin in pins:
+        chart = pin.result.charts[now.key]
         if scales is not None:
-            chart = chart_in_si(chart, one.scales, one.result.numbers, load_unit(scales))
+            chart = chart_in_si(chart, pin.scales, pin.result.numbers, load_unit(scales))
         kept = chart.layer(label).columns
         for x, y, name, role in zip(
             *(kept[key] for key in ("xs", "ys", "name", "role")), strict=True
@@ -114,9 +120,9 @@ def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
             if not covered and role != "synchronous":
                 columns["xs"].append(x)
                 columns["ys"].append(y)
-                columns["name"].append(f"{one.name}: {name}")
-                columns["role"].append(f"pin {one.number}")
-                columns["group"].append(one.name)
+                columns["name"].append(f"{pin.name}: {name}")
+                columns["role"].append(f"pin {pin.number}")
+                columns["group"].append(pin.name)
     return Layer("lines", "pins", columns)
 
 
@@ -127,9 +133,9 @@ def _shown(value: Any) -> str:
 
 
 def _numbers(
-    result: Result, scales: Scales | None, unit: str, settled: bool = True
+    result: Result, scales: Scales | None, unit: str, refined: bool = True
 ) -> dict[str, str]:
-    """Return the key numbers by name; with the scales of its shaft in SI, loads in `unit`."""
+    """Return the key numbers by label; in SI with the scales of the shaft, loads in `unit`."""
     shown = result.numbers if scales is None else key_numbers(scales, result.numbers, unit)
     si = scales is not None
     numbers = {words[si].format(unit): _shown(shown[name]) for name, words in _NUMBERS.items()}
@@ -141,7 +147,7 @@ def _numbers(
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
     part = result.floquet.unstable_share
     share = f"{100 * part:.3g} %" if math.isfinite(part) else "not computed"
-    rough = not settled and math.isfinite(part)
+    rough = not refined and math.isfinite(part)
     numbers["Unstable share of the computed window"] = f"≈ {share}" if rough else share
     tongues = result.floquet.table.tongues
     numbers["Tongues"] = ", ".join(row.name for row in tongues) or "none"
@@ -152,33 +158,28 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
     """Return the pins' names and the rows, inputs and key numbers, in which they differ."""
     scales = shown_scales(state)
     unit = "" if scales is None else load_unit(scales)
-    own = [scales, *(None if scales is None else one.scales for one in pins)]
-    every = [
-        _inputs(inputs, one)
-        for inputs, one in zip([state.inputs(), *(p.inputs for p in pins)], own, strict=True)
-    ]
-    rows = [
-        [label, *(one[label] for one in every)]
-        for label in every[0]
-        if len({one[label] for one in every}) > 1
-    ]
+    # each setting in the scales of its own shaft
+    inputs = [_inputs(state.inputs(), scales)]
     numbers = [_numbers(result, scales, unit)]
-    numbers += [
-        _numbers(one.result, of, unit, one.settled) for one, of in zip(pins, own[1:], strict=True)
-    ]
-    for name in numbers[0]:
-        values = [one.get(name, "none") for one in numbers]
-        if len(set(values)) > 1:
-            rows.append([name, *values])
+    for pin in pins:
+        own = None if scales is None else pin.scales
+        inputs.append(_inputs(pin.inputs, own))
+        numbers.append(_numbers(pin.result, own, unit, pin.refined))
     return {
-        "names": [{"name": one.name, "number": one.number} for one in pins],
-        "rows": rows,
+        "names": [{"name": pin.name, "number": pin.number} for pin in pins],
+        "rows": [*_differing(inputs), *_differing(numbers)],
         "full": len(pins) >= MOST_PINS,
     }
 
 
+def _differing(columns: Sequence[Mapping[str, str]]) -> list[list[str]]:
+    """Return a row, label and values, for each label of the first column whose values differ."""
+    rows = [[label, *(column.get(label, "none") for column in columns)] for label in columns[0]]
+    return [row for row in rows if len(set(row[1:])) > 1]
+
+
 def _inputs(inputs: Mapping[str, Any], scales: Scales | None) -> dict[str, str]:
-    """Return the inputs that a pin tells by label; with the scales of their shaft in SI."""
+    """Return the pinned inputs by label; in SI with the scales of their shaft."""
     units = {} if scales is None else quantities_in_si(scales)
     found = {}
     for name in PINNED:

@@ -1,1 +1,1 @@
-"""Text that somebody else wrote, bounded and checked: numbers, quantities with units, TOML."""
+"""Reads text of users, bounded and checked: numbers, quantities with units, TOML."""

@@ -11,7 +11,7 @@ import re
 
 __all__ = ["NUMBER", "TwoReadings", "printable", "read_number"]
 
-_SPACES = "[ \u00a0\u2009\u202f'’_]"  # between groups of thousands
+_SPACES = "[ \u00a0\u2009\u202f'’_]"  # may stand between groups of thousands
 _DIGITS = (
     rf"[0-9]{{1,3}}(?:{_SPACES}[0-9]{{3}})+(?:[.,][0-9]*)?"
     r"|[0-9]{1,3}(?:,[0-9]{3})+\.[0-9]*"
@@ -22,13 +22,13 @@ _DIGITS = (
     r"|[.,][0-9]+"
 )
 NUMBER = rf"[+−-]?(?:{_DIGITS})(?:[eE][+−-]?[0-9]{{1,3}})?"
-"""A regular expression of all numbers that can be read, and of those that have two readings."""
+"""A regular expression of all numbers that are read, and of those with two readings."""
 _NUMBER = re.compile(NUMBER)
 _TWO_READINGS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?:[eE][+-]?[0-9]+)?")
 
 
 class TwoReadings(ValueError):
-    """A number whose comma can be a decimal sign or a group of thousands."""
+    """A number whose comma may be a decimal sign or a separator of thousands."""
 
 
 def printable(text: str, longest: int = 40) -> str:
@@ -55,7 +55,7 @@ def read_number(text: str) -> float:
     ValueError
         If the text is no number or is too large.
     TwoReadings
-        If its comma can be a decimal sign or a group of thousands.
+        If its comma may be a decimal sign or a separator of thousands.
 
     Examples
     --------

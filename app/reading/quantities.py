@@ -1,8 +1,8 @@
-"""Numbers with units in text, such as "20 mm": one number, one unit, nothing evaluated.
+"""Reads quantities such as "20 mm": one number and one unit; no text is executed.
 
-What a unit is comes from pint. Pint reads some words in another sense than engineers do (ton, mil)
-and keeps every unit text that it has read: it is given the words of a closed list, once, and never
-a text of a user. Words that differ in case only are one word, unless case tells them apart.
+The size of a unit comes from pint. Pint gives some words another meaning than engineers do (ton,
+mil), and it keeps every unit text that it has read. So it gets each word of a closed list once, and
+never a text of a user. Upper and lower case mean the same except for the words of `_BY_CASE`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DIMENSIONS", "quantity"]
 
-# the unit that a kind of quantity is returned in, and examples for the error
+# by kind of quantity: the unit in which it is returned, and examples for the error
 DIMENSIONS = {
     "length": ("m", "a length, such as 0.5 m or 20 mm"),
     "modulus": ("Pa", "a modulus, such as 207 GPa or 207000 N/mm^2"),
@@ -30,7 +30,7 @@ DIMENSIONS = {
     "inertia": ("kg*m^2", "a moment of inertia, such as 0.0136 kg m^2"),
     "speed": ("rad/s", "a speed of rotation, such as 1000 rpm or 104.7 rad/s"),
 }
-# the words that are read; where pint has another word for a unit, it stands after "="
+# the words that are read, with pint's word for the unit after "=" where that differs
 _WORDS = (
     "µm mm cm dm m km in inch inches ft foot feet yd thou mil=thou mils=thou l ml cc ccm=cc"
     " mg g kg Mg t kgs=kg kilo=kg kilos=kg lb lbs lbm=lb oz ozm=oz slinch slinches=slinch"
@@ -89,7 +89,7 @@ def _inverted(product_of_words: str) -> str:
 
 @cache
 def _registry() -> pint.UnitRegistry[float]:
-    """Return the one registry; pint is loaded with the first rotor file, not with the page."""
+    """Return pint's registry; pint is imported with the first rotor file, not with the page."""
     import pint
 
     return pint.UnitRegistry()
@@ -97,13 +97,13 @@ def _registry() -> pint.UnitRegistry[float]:
 
 @cache
 def _in_base_units(unit: str) -> PlainQuantity[float]:
-    """Return one unit, of those that this module names, in kg, m, s and rad."""
+    """Return one of the units named in this module in kg, m, s and rad."""
     return _registry().Quantity(1.0, unit).to_base_units()
 
 
 @cache
 def _words() -> dict[str, list[PlainQuantity[float]]]:
-    """Return every word with its meanings; only a pound has two, of mass and of force."""
+    """Return the meanings of every word; only a pound has two, a mass and a force."""
     found: dict[str, list[PlainQuantity[float]]] = {}
     for entry in f"{_WORDS} {_SPELLED_OUT} {_SPELLED_OUT.replace(' ', 's ')}s".split():
         word, _, unit = entry.partition("=")
@@ -112,12 +112,12 @@ def _words() -> dict[str, list[PlainQuantity[float]]]:
 
 
 def _meanings(word: str) -> list[PlainQuantity[float]]:
-    """Return the meanings of a word, none where it is unknown."""
+    """Return the meanings of a word; an unknown word has none."""
     return _words().get(word) or _words().get(word.casefold(), [])
 
 
 def _split(word: str) -> tuple[str, ...]:
-    """Return a word as it is, or two that are written as one, such as kgm and lbin."""
+    """Return a word as it is, or as two if it is two units in one, such as kgm and lbin."""
     if not _meanings(word) and len(word) <= _LONGEST_NAME:
         metre = _in_base_units("m").units
         for at in range(1, len(word)):
@@ -127,7 +127,7 @@ def _split(word: str) -> tuple[str, ...]:
 
 
 def _factors(unit: str) -> list[tuple[str, int]]:
-    """Return the words of a unit and their powers; nothing where it is no product of words."""
+    """Return the words of a unit and their powers; none if it is no product of words."""
     for spelling, meaning in _SPELLINGS:
         unit = re.sub(spelling, meaning, unit)
     unit = unit.strip() if unit.startswith("/") else f"*{unit.strip()}"

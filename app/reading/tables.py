@@ -1,6 +1,6 @@
-"""The tables of a TOML file that somebody else wrote, checked key by key.
+"""The tables of a user's TOML file, checked key by key.
 
-Every error is one line that names the line of the file, the key, what is allowed and the value.
+Every error is one line of text with the line of the file, the key, what is allowed and the value.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ __all__ = ["Tables", "shown"]
 
 
 def shown(value: object) -> str:
-    """Return a foreign value as one short line."""
+    """Return a user's value as one short line."""
     try:
         return printable(repr(value)[:99])
     except ValueError:  # Python writes no integer of thousands of digits
@@ -25,7 +25,7 @@ def shown(value: object) -> str:
 
 
 def _lines(text: str) -> dict[str, int]:
-    """Return the line of every table and key as it is usually written."""
+    """Return the number of the line of every table and key, in the usual way of writing TOML."""
     found: dict[str, int] = {}
     table = ""
     for number, line in enumerate(text.splitlines(), 1):
@@ -40,7 +40,15 @@ def _lines(text: str) -> dict[str, int]:
 
 
 class Tables:
-    """The tables of one text; `keys` are those that each table may have."""
+    """The tables of one text.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    keys : mapping of str to tuple of str
+        The keys that each table may have.
+    """
 
     def __init__(self, text: str, keys: Mapping[str, tuple[str, ...]]) -> None:
         self.keys = keys
@@ -48,7 +56,7 @@ class Tables:
         self.tables = read_toml(text)
 
     def sentence(self, key: str, problem: str) -> str:
-        """Return a problem of a key, such as "shaft.length", with its line."""
+        """Return the problem of a key, such as "shaft.length", with the number of its line."""
         line = self.lines.get(key) or self.lines.get(key.partition(".")[0])
         where = f"line {line}: " if line else ""
         return f"{where}{printable(key, 80)} {problem}"
@@ -58,7 +66,7 @@ class Tables:
         raise ValueError(self.sentence(key, problem))
 
     def table(self, name: str) -> Mapping[str, Any]:
-        """Return a table with known keys only."""
+        """Return a table; an unknown key in it is an error."""
         found = self.tables[name]
         if not isinstance(found, dict):
             self.fail(name, f"must be a table, [{name}]")

@@ -1,6 +1,6 @@
-"""TOML that somebody else wrote: bounded before it is parsed, and its faults in words.
+"""Reads a user's TOML: bounded before it is parsed, with errors that a user understands.
 
-tomllib needs time and memory with the square of the levels of a key.
+The time and memory that tomllib needs grow with the square of the number of parts of a key.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _DOTTED = re.compile(rf'(?<![^\s.,=\[\]{{}}"]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{
 
 
 class TomlError(ValueError):
-    """What is wrong with a text, and in which line."""
+    """An error in a text, with the number of its line."""
 
     def __init__(self, line: int, reason: str) -> None:
         super().__init__(f"line {line}: {reason}")
@@ -41,7 +41,7 @@ def _line_of(text: str, at: int) -> int:
 
 
 def _check_levels(text: str) -> None:
-    """Refuse what is nested too deep; texts and comments hold no keys."""
+    """Refuse a text that is nested too deep; strings and comments do not count."""
     # lines keep their numbers
     bare = _TEXT_OR_COMMENT.sub(
         lambda found: ("" if found[0][0] == "#" else '""') + "\n" * found[0].count("\n"), text
@@ -60,7 +60,7 @@ def _check_levels(text: str) -> None:
 
 
 def _advice(line: str) -> str:
-    """Say what a line that is not TOML should be, where that is plain; else nothing."""
+    """Return how to correct a line that is not TOML, or an empty text if that is not clear."""
     if quote := re.search("[“”„«»‘’]", line):
         return f'write straight quotes, " instead of {quote[0]}'
     value = line.partition("=")[2].partition("#")[0].strip()
@@ -112,7 +112,7 @@ def read_toml(text: str) -> dict[str, Any]:
 
 
 def _unreadable(lines: list[str]) -> int:
-    """Return the number of the first line whose value alone cannot be read."""
+    """Return the number of the first line that cannot be read by itself."""
     for number, line in enumerate(lines, 1):
         try:
             tomllib.loads(line)

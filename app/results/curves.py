@@ -1,4 +1,4 @@
-"""Curves and numbers of a rotor that the growth map has no part in: cached, shared by sessions."""
+"""Curves and numbers of a rotor that do not depend on the growth map: cached, shared."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ __all__ = [
     "whirl_numbers",
 ]
 
-LOADS = 400
-SPEEDS = 200
+LOADS = 400  # points of a load–frequency curve
+SPEEDS = 200  # points of a Campbell diagram
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
@@ -80,7 +80,7 @@ def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
 
 
 def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
-    """Return the load axis: from tension to past buckling and flutter, where they are near."""
+    """Return the load axis: from tension to beyond buckling, and flutter if that is not too far."""
     buckling = rotor_numbers(rotor)[0]
     pole = float(largest_exact_load(rotor.shear))
     at = flutter(rotor, spin_speed)

@@ -1,8 +1,9 @@
-"""The address: the state and its pins as a short query, and back with all doubt named.
+"""The address: the state and its pins as a short query, and back.
 
-A pin is its name and what differs from the present state: `p1=spin_1.5~as_0.2~~slow`.
-Nothing that stands in an address is trusted. What is missing keeps its default; what is
-unknown, repeated, too long, not a number or out of range is named and left out.
+A pin is written as its inputs that differ from the present state, and its name:
+`p1=spin_1.5~as_0.2~~slow`. No part of an address is trusted. An input that is missing keeps its
+default; a key or value that is unknown, repeated, too long, not a number or out of range is left
+out, and the page names it.
 """
 
 from __future__ import annotations
@@ -74,19 +75,20 @@ _KEYS = {
     "si_polar_inertia": "siip",
 }
 _NAMES = {key: name for name, key in _KEYS.items()}
-# keys that other programs add to links; they mean nothing here and are no mistake of the user
+# keys that other programs add to links: they mean nothing here, and the user did not write them
 _TRACKING = re.compile(
     "(utm|mtm|pk|piwik|matomo|hsa|_hs|mc|ga|at|fb)_.*|_hsenc|_hsmi|_ga|_gl|fbclid|gclid|dclid|gclsrc"
     "|gbraid|wbraid|msclkid|twclid|ttclid|yclid|ysclid|irclickid|sccid|rdt_cid|li_fat_id|igshid|igsh"
     "|mkt_tok|vero_id|oly_anon_id|oly_enc_id|wickedid|s_cid|srsltid|epik|ref_src|ref_url|trk",
     re.IGNORECASE,
 )
-_LONGEST = 40  # characters of one value; the longest honest one has 18
-_MOST_NAMED = 8
+_LONGEST = 40  # characters of one value; the longest that the page writes has 18
+_MOST_NAMED = 8  # problems in one sentence
 MOST_PINS = 3
+"""Largest number of pins."""
 _PIN_KEYS = {f"p{number}": number for number in range(1, MOST_PINS + 1)}
-_LONGEST_PIN = 1000  # every input moved, with a name
-_LONGEST_NAME = 24
+_LONGEST_PIN = 1000  # characters; enough for every input and a name
+_LONGEST_NAME = 24  # characters
 _NOT_PINNED = ("show_", "growth_unit", "marker", "initial", "seed", "periods", "units")
 PINNED = tuple(name for name in _KEYS if not name.startswith(_NOT_PINNED))
 """The inputs that a pin keeps: those that move its curves and numbers."""
@@ -94,15 +96,15 @@ PINNED = tuple(name for name in _KEYS if not name.startswith(_NOT_PINNED))
 
 @dataclass(frozen=True)
 class PinnedInputs:
-    """A setting that is kept.
+    """A setting of the inputs that is kept to be compared with later ones.
 
     Parameters
     ----------
     name : str
     number : int
-        1 to `MOST_PINS`: its look.
+        1 to `MOST_PINS`; it decides how the curves are drawn.
     inputs : mapping
-        The inputs of `PINNED`.
+        By name, those of `PINNED`.
     """
 
     name: str
@@ -117,18 +119,18 @@ def _text(value: Any) -> str:
 
 
 def to_query(inputs: Mapping[str, Any], pins: Sequence[PinnedInputs] = ()) -> str:
-    """Return every input and pin as a query without its question mark, version first."""
+    """Return every input and pin as a query: the version first, without the question mark."""
     texts = {name: _text(inputs[name]) for name in _KEYS}
     pairs = [("v", str(VERSION)), *((key, texts[name]) for name, key in _KEYS.items())]
-    for one in pins:
-        others = {name: _text(one.inputs[name]) for name in PINNED}
+    for pin in pins:
+        others = {name: _text(pin.inputs[name]) for name in PINNED}
         moved = [f"{_KEYS[name]}_{text}" for name, text in others.items() if text != texts[name]]
-        pairs.append((f"p{one.number}", f"{'~'.join(moved)}~~{one.name}"))
+        pairs.append((f"p{pin.number}", f"{'~'.join(moved)}~~{pin.name}"))
     return urlencode(pairs)
 
 
 def _value(name: str, text: str) -> Any:
-    """Return what a text means for an input; the text itself where it means nothing.
+    """Return the value that a text means for an input, or the text itself if it means none.
 
     Raises
     ------
@@ -152,12 +154,14 @@ def _value(name: str, text: str) -> Any:
 
 
 def _is_tracking(key: str) -> bool:
-    """Whether a key was added by a mail program, a search engine or a social network."""
+    """Whether a mail program, a search engine or a social network added a key."""
     return _TRACKING.fullmatch(key[:_LONGEST]) is not None
 
 
-def _decoded(given: Sequence[bytes | str]) -> list[str]:
-    return [one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in given]
+def _decoded(texts: Sequence[bytes | str]) -> list[str]:
+    return [
+        text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text) for text in texts
+    ]
 
 
 def from_arguments(
@@ -165,12 +169,12 @@ def from_arguments(
 ) -> tuple[dict[str, Any], list[str]]:
     """Return the values of an address by input name, and the keys that were not understood.
 
-    Pins are left to `pins_from_arguments`; ranges are not checked here: `State.change` does that.
+    `pins_from_arguments` reads the pins, and `State.change` checks the ranges.
     """
     values: dict[str, Any] = {}
     doubtful: list[str] = []
-    for key, given in arguments.items():
-        texts = _decoded(given)
+    for key, encoded in arguments.items():
+        texts = _decoded(encoded)
         if key in _PIN_KEYS or _is_tracking(str(key)):
             continue
         if key == "v":
@@ -189,9 +193,9 @@ def from_arguments(
 def pins_from_arguments(
     arguments: Mapping[str, Sequence[bytes | str]], inputs: Mapping[str, Any]
 ) -> tuple[list[PinnedInputs], list[str]]:
-    """Return the pins of an address whose present state is `inputs`, and what is wrong with others.
+    """Return the pins of an address whose present state is `inputs`, and the problems of others.
 
-    A pin is taken whole or not at all.
+    A pin with a problem is left out as a whole.
     """
     pins: list[PinnedInputs] = []
     doubtful: list[str] = []
@@ -227,18 +231,18 @@ def _pin(number: int, texts: Sequence[str], inputs: Mapping[str, Any]) -> Pinned
     for problem_of, problem in state.change(values).items():
         raise ValueError(f"{_KEYS.get(problem_of, problem_of)} {problem}")
     kept = state.inputs()
-    return PinnedInputs(pin_name(name, number), number, {one: kept[one] for one in PINNED})
+    return PinnedInputs(pin_name(name, number), number, {name: kept[name] for name in PINNED})
 
 
 def pin_name(words: Any, number: int) -> str:
-    """Return a short printable name, or the one of a pin's place."""
-    given = words[: 4 * _LONGEST_NAME] if isinstance(words, str) else ""
-    name = "".join(letter for letter in " ".join(given.split()) if letter.isprintable())
+    """Return a name of printable characters, shortened, or "Pin A" and so on by the number."""
+    words = words[: 4 * _LONGEST_NAME] if isinstance(words, str) else ""
+    name = "".join(letter for letter in " ".join(words.split()) if letter.isprintable())
     return name[:_LONGEST_NAME].strip() or f"Pin {chr(ord('A') + number - 1)}"
 
 
 def describe_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:
-    """Return one sentence that names what an address held in vain, or nothing."""
+    """Return one sentence that names what of an address was ignored, or an empty text."""
     named = [*doubtful, *(f"{_KEYS.get(name, name)} ({why})" for name, why in refused.items())]
     if not named:
         return ""

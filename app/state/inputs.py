@@ -48,8 +48,8 @@ SI_INPUTS = {
     "si_diametral_inertia": "kg m²",
     "si_polar_inertia": "kg m²",
 }
-"""The inputs of the shaft and disk in SI, and the unit of each; without effect on Φ, M̄_D, Ī_D
-and Ī_P until `use_shaft`."""
+"""The inputs of the shaft and disk in SI, and the unit of each; they set Φ, M̄_D, Ī_D and Ī_P only
+when `State.use_shaft` is called."""
 
 
 class Inputs(param.Parameterized):

@@ -1,8 +1,8 @@
-"""Rotor files: TOML whose quantities carry units, in and out.
+"""Reads and writes rotor files: TOML whose quantities have units.
 
 A file is either an SI rotor, tables [shaft] and [disk], or plain numbers, [nondimensional],
 to which a [shaft] may give the scales. [operation] may add the spin speed and the load.
-Every error is one line that names the line of the file, the key, what is allowed and the value.
+Every error is one line of text with the line of the file, the key, what is allowed and the value.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ LARGEST_FILE = 8_000
 def read_rotor_file(text: str) -> tuple[dict[str, Any], list[str]]:
     """Return the inputs that a rotor file sets, and what of its [operation] is out of range.
 
-    A rotor is taken whole or not at all. What the dashboard cannot show of its operation, such as
-    a speed beyond the slider's range, is left out and named.
+    A rotor with an error is refused as a whole. A value of [operation] that the dashboard cannot
+    show, such as a speed beyond the slider's range, is left out and named.
 
     Returns
     -------
@@ -53,10 +53,10 @@ def read_rotor_file(text: str) -> tuple[dict[str, Any], list[str]]:
 
 def _out_of_range(name: str, value: Any, problem: str) -> str:
     unit = SI_INPUTS.get(name, "")
-    given = f"{value:.5g} {unit}".strip()
+    quantity = f"{value:.5g} {unit}".strip()
     if name in SI_INPUTS:
-        return f"{problem} {unit}".strip() + f"; {given} is not"
-    return f"gives {SYMBOLS[name]} = {given}, which {problem}"
+        return f"{problem} {unit}".strip() + f"; {quantity} is not"
+    return f"gives {SYMBOLS[name]} = {quantity}, which {problem}"
 
 
 def write_rotor_file(state: State) -> str:

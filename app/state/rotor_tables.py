@@ -24,7 +24,7 @@ KEYS = {
     "operation": ("spin_speed", "load_type", "tangency", "static_load_factor"),
 }
 _HAS_UNIT = re.compile(r"[^\W\d_]{2}|[/°]")
-# the state's input, the key it came from, and one unit of the input in SI
+# by the state's input: the key that gives it, and one unit of the input in SI
 _SHAFT = {
     "shaft_length": ("length", 1.0),
     "shaft_diameter": ("diameter", 1e-3),
@@ -174,15 +174,18 @@ class RotorTables(Tables):
             )
 
     def material(self, name: str, instead: tuple[str, ...]) -> str | None:
-        """Return the material of a table, or None where it has data of its own."""
+        """Return the material of a table, or None if the table has data of its own.
+
+        The keys of `instead` cannot stand beside a material.
+        """
         table = self.tables[name]
         if "material" not in table:
             return None
-        given = table["material"]
-        material = material_named(given) if isinstance(given, str) else None
+        word = table["material"]
+        material = material_named(word) if isinstance(word, str) else None
         if material is None:
             words = ", ".join(MATERIALS)
-            self.fail(f"{name}.material", f"must be one of {words}; {shown(given)} is not")
+            self.fail(f"{name}.material", f"must be one of {words}; {shown(word)} is not")
         for key in instead:
             if key in table:
                 self.fail(f"{name}.{key}", "cannot stand beside material, which gives it")

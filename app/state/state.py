@@ -1,7 +1,7 @@
 """The state of the dashboard: bounded, finite, free of Panel.
 
-Whatever sets a value — a slider, a number box, an address, a forged message — goes through
-`State.change`, which refuses with words what is out of range and keeps the rest.
+Every value, be it from a slider, a number box, an address or a forged message, is set by
+`State.change`, which refuses a value out of range with the reason, and sets the others.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ __all__ = ["PRESETS", "SI_INPUTS", "SYMBOLS", "State"]
 _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 _THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
 _SHORTEST_RANGE = 0.4  # of θ/ωₙ
-_ROUNDING = 1e-9
+_ROUNDING = 1e-9  # by which a range may be shorter: 0.6 − 0.2 is less than 0.4
 _MATERIAL_INPUTS = ("youngs_modulus", "shear_modulus", "density", "shear_coefficient")
 
 
@@ -44,7 +44,7 @@ class State(Inputs):
         self.param.update(**{name: State.param[name].default for name in _NAMES})
 
     def rotor(self) -> ShaftDisk:
-        """Return the rotor of the present inputs; of slenderness only finite elements know."""
+        """Return the rotor of the present inputs; only finite elements use its slenderness."""
         # r of the base case in proportion to √Φ, as for a solid shaft of one material
         slenderness = BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear)
         with suppress(ValueError):
@@ -88,13 +88,13 @@ class State(Inputs):
             raise ValueError("this shaft is too thick for its length") from None
 
     def scales(self) -> Scales:
-        """Return what the charts' units are in SI."""
+        """Return one unit of each quantity of the charts in SI."""
         return self.si_rotor()[1]
 
     def shaft_in_use(self) -> bool:
         """Whether Φ, M̄_D, Ī_D and Ī_P are those of the SI data."""
         try:
-            rotor = _values(self.si_rotor()[0])
+            rotor = _rotor_values(self.si_rotor()[0])
         except ValueError:
             return False
         return all(math.isclose(value, getattr(self, name)) for name, value in rotor.items())
@@ -102,7 +102,7 @@ class State(Inputs):
     def use_shaft(self) -> dict[str, str]:
         """Set Φ, M̄_D, Ī_D and Ī_P from the SI data: all of them or, out of range, none."""
         try:
-            values = _values(self.si_rotor()[0])
+            values = _rotor_values(self.si_rotor()[0])
         except ValueError as error:
             return {"shaft_diameter": str(error)}
         problems = {name: _problem(name, value) for name, value in values.items()}
@@ -129,7 +129,6 @@ class State(Inputs):
                 good[name] = _plain(name, value)
         low = good.get("lowest_frequency", self.lowest_frequency)
         high = good.get("highest_frequency", self.highest_frequency)
-        # 0.6 − 0.2 is less than 0.4 by rounding
         if high - low < _SHORTEST_RANGE - _ROUNDING:
             for name, rule in (
                 ("lowest_frequency", "be below the highest"),
@@ -138,7 +137,7 @@ class State(Inputs):
                 if good.pop(name, None) is not None:
                     errors[name] = f"must {rule} by {_SHORTEST_RANGE:g} or more"
         if "tangency" in good:
-            # the slider means a partly follower load
+            # whoever moves this slider wants a partly follower load
             good.setdefault("load_type", "partly")
         if any(name in good for name in _MATERIAL_INPUTS):
             good.setdefault("material", "own")
@@ -156,7 +155,7 @@ _NAMES = tuple(name for name in State.param if name != "name")
 
 
 def _short(name: Any) -> str:
-    """Return a foreign name fit for an answer; str() itself fails on an integer of 5000 digits."""
+    """Return a foreign name, shortened; str() of an integer of 5000 digits would fail."""
     return name[:40] if isinstance(name, str) else type(name).__name__
 
 
@@ -171,7 +170,7 @@ def _plain(name: str, value: Any) -> Any:
 
 
 def _problem(name: Any, value: Any) -> str:
-    """Say what is wrong with a value, or nothing."""
+    """Return what is wrong with a value, or an empty text."""
     if not isinstance(name, str) or name not in _NAMES:
         return "unknown parameter"
     parameter = State.param[name]
@@ -189,7 +188,8 @@ def _problem(name: Any, value: Any) -> str:
     return "" if low <= value <= high else allowed
 
 
-def _values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
+def _rotor_values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
+    """Return the inputs of a rotor, and others beside them."""
     return {
         "shear": rotor.shear,
         "disk_mass": rotor.disk_mass,
@@ -216,11 +216,11 @@ _START = {
 _TABLE_1_SHAFT = {name: State.param[name].default for name in SI_INPUTS}
 
 PRESETS: dict[str, dict[str, Any]] = {
-    "Base case": _values(BASE_CASE, **_START),
-    "Euler–Bernoulli twin": _values(EULER_BERNOULLI_TWIN, **_START),
-    "Table 1, at rest": _values(_TABLE_1, **(_START | _TABLE_1_SHAFT | {"spin_speed": 0.0})),
-    "Table 1, 1000 rpm": _values(
+    "Base case": _rotor_values(BASE_CASE, **_START),
+    "Euler–Bernoulli twin": _rotor_values(EULER_BERNOULLI_TWIN, **_START),
+    "Table 1, at rest": _rotor_values(_TABLE_1, **(_START | _TABLE_1_SHAFT | {"spin_speed": 0.0})),
+    "Table 1, 1000 rpm": _rotor_values(
         _TABLE_1, **(_START | _TABLE_1_SHAFT | {"spin_speed": _THOUSAND_RPM})
     ),
 }
-"""Named settings. Chart ranges are left as they are."""
+"""Named settings of the inputs; they leave the ranges of the charts as they are."""
