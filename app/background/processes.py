@@ -154,7 +154,7 @@ class _Work:
 
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
-    requested: float = field(default_factory=monotonic)
+    requested: float
     future: Future[Any] = field(default_factory=Future)
     wanted: int = 0
     begun: bool = False
@@ -189,7 +189,7 @@ class Background:
         """
         key = function, arguments
         with self._lock:
-            work = self._works.get(key) or _Work(function, arguments)
+            work = self._works.get(key) or _Work(function, arguments, monotonic())
             if self._closed:
                 work.future.cancel()
                 return work.future

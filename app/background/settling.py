@@ -56,7 +56,7 @@ class Settling:
         """Request the map that is finer by one step than the finest one that is there."""
         known = known_detail(window)
         if known is not Detail.REFINED:
-            detail = Detail(known + 1)
+            detail = Detail(known.value + 1)
             made = background.request(floquet_map, window, detail)
             self._requested = detail
             made.add_done_callback(partial(self._made, window, detail))

@@ -44,7 +44,7 @@ class LiveChart:
         drawing = draw(chart)
         self.figure = drawing.figure
         self.sources, self.renderers = drawing.sources, drawing.renderers
-        self._colours = drawing.colours
+        self.colours = drawing.colours
         self._chart = drawing.chart
         self._drawn: dict[str, dict[str, Any]] = {}
         self._added: set[str] = set()
@@ -73,7 +73,7 @@ class LiveChart:
             if moved:
                 self.sources[layer.label].data.update(moved)
                 self._drawn[layer.label] = columns
-                if layer.label in self._colours and layer.label == "growth":
+                if layer.label in self.colours and layer.label == "growth":
                     self._rescale(columns["image"][0])
         if _labels(chart) != _labels(self._chart):
             self._rename(self._chart, chart)
@@ -112,12 +112,12 @@ class LiveChart:
         top = float(np.ceil(largest / step) * step) or 1.0
         if self._least_top is not None:
             top = self._least_top = max(top, self._least_top)
-        self._colours["growth"].high = top
+        self.colours["growth"].high = top
 
     def keep_colours(self, keep: bool) -> None:
         """Let the colour scale only grow from now on, to compare maps; or fit it to each map."""
         self._least_top = 0.0 if keep else None
-        if "growth" in self._colours and "growth" in self._drawn:
+        if "growth" in self.colours and "growth" in self._drawn:
             self._rescale(self._drawn["growth"]["image"][0])
 
     def set_visible(self, shown: Mapping[str, bool]) -> None:

@@ -6,14 +6,14 @@ unusual one is blank on the page, and the page says so.
 
 from __future__ import annotations
 
-from enum import IntEnum
+from enum import Enum
 from typing import NamedTuple
 
 __all__ = ["Detail", "MapSize", "map_size"]
 
 
-class Detail(IntEnum):
-    """How fine a picture is; a larger value is a finer picture."""
+class Detail(Enum):
+    """How fine a picture is, from coarse to fine."""
 
     COARSE = 0
     """A coarse growth map, made in the time of one step of a slider."""

@@ -111,7 +111,7 @@ def test_the_marker_stays_in_its_units_and_marks_every_chart(session):
     answer = change(session, spin_speed=1.0, static_load_factor=0.2)
     marker = data(session, "instability", "marker")
     assert (list(marker["x"]), list(marker["y"])) == ([1.68], [0.5])
-    result = solve(session.state, False)
+    result = solve(session.state, Detail.COARSE)
     excitation = 1.68 * answer["numbers"]["fundamental"]
     load, campbell = (data(session, key, "marker") for key in ("load-frequency", "campbell"))
     assert list(load["x"]) == [result.numbers["static_load"]] * 2

@@ -9,6 +9,7 @@ import pytest
 from app.lessons.evaluation import evaluate
 from app.pages.marked_point import inspect
 from app.results.analysis import solve
+from app.results.limits import Detail
 from app.session import Session
 from app.state import State
 from app.words.verdict import verdict
@@ -36,7 +37,7 @@ def state_of(**values):
 
 def test_rows_of_the_map_past_the_pole_are_blank():
     state = state_of(**PAST)
-    result = solve(state, "map")
+    result = solve(state, Detail.FULL)
     pole = float(largest_exact_load(0.05))
     static, reference = result.numbers["static_load"], result.numbers["reference"]
     assert static + 2 * reference > pole
@@ -59,7 +60,7 @@ def test_rows_of_the_map_past_the_pole_are_blank():
 
 def test_the_boundaries_below_the_pole_are_those_of_a_lower_chart():
     state = state_of(**PAST, load_type="follower")
-    result = solve(state, False)
+    result = solve(state, Detail.COARSE)
     drawn = result.charts["instability"].layer("boundary").columns
     static, reference = result.numbers["static_load"], result.numbers["reference"]
     low = bolotin_chart(
@@ -76,9 +77,9 @@ def test_the_boundaries_below_the_pole_are_those_of_a_lower_chart():
 def test_a_flutter_load_past_the_pole_is_no_reference(law):
     state = state_of(**STIFF, law=law)
     with pytest.raises(ValueError, match=f"no flutter load below p̄ = 7.979, {CLAMPED}"):
-        solve(state, False)
+        solve(state, Detail.COARSE)
     assert state.change({"reference": "buckling"}) == {}
-    assert solve(state, False).numbers["flutter"] is None
+    assert solve(state, Detail.COARSE).numbers["flutter"] is None
     inputs = state_of(**STIFF).inputs()
     assert evaluate("flutter", inputs) == math.inf
     with pytest.raises(ValueError, match=f"no flutter load below p̄ = 7.979, {CLAMPED}"):
@@ -90,15 +91,15 @@ def test_a_static_load_that_leaves_no_room_below_the_pole_is_refused_in_words():
     stiff = {"shear": 0.1, "diametral_inertia": 0.3, "polar_inertia": 0.0, "reference": "flutter"}
     state = state_of(**stiff, static_load_factor=0.95, law="exact")
     with pytest.raises(ValueError, match=rf"must stay below p̄ = 7\.971, {CLAMPED}.* choose a smal"):
-        solve(state, False)
+        solve(state, Detail.COARSE)
     assert state.change({"static_load_factor": 0.5}) == {}
-    assert solve(state, False).floquet.ends_at < 1
+    assert solve(state, Detail.COARSE).floquet.ends_at < 1
 
 
 def test_a_marker_past_the_pole_is_refused_in_words():
     state = state_of(**PAST, marker=True, marker_factor=2.0)
     with pytest.raises(ValueError, match=rf"Here the load reaches .*{CLAMPED}: move the marker"):
-        inspect(state, solve(state, False))
+        inspect(state, solve(state, Detail.COARSE))
     session = Session({key: [value] for key, value in LINK.items()})
     answer = session.respond({"type": "change", "values": {"marker": True, "marker_factor": 2.0}})
     assert answer["notice"] == ""

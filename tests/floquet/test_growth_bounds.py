@@ -121,7 +121,7 @@ def test_shares_against_random_points(kind, seed):
     growth, error = true_growth(window, rng.uniform(0, window.top, count), theta)
     share = (growth > np.maximum(1e-8, error)).mean()
     slack = 4 * np.sqrt((share * (1 - share) + 0.01) / count)
-    assert abs(solve(state, "map").floquet.unstable_share - share) < slack
+    assert abs(solve(state, Detail.FULL).floquet.unstable_share - share) < slack
 
 
 @pytest.mark.parametrize("seed", range(5))

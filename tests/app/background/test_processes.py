@@ -8,6 +8,8 @@ import sys
 import threading
 import time
 from concurrent.futures import CancelledError, Future, wait
+from multiprocessing.context import SpawnProcess
+from pathlib import Path
 
 import pytest
 
@@ -50,7 +52,7 @@ def test_work_is_asked_for_by_any_thread_without_a_loop(background):
     for one in threads:
         one.join(60)
     assert found == [None] * 16
-    assert background._works == {}
+    assert background.pending() == 0
 
 
 def test_work_that_nobody_waits_for_is_dropped(background):
@@ -81,8 +83,7 @@ def test_in_a_crowd_work_waits_for_a_pause_but_not_for_ever(background, monkeypa
     def begin():
         """Return how long new work waits for its turn."""
         waits.clear()
-        background._works = {"key": processes._Work(os.getpid, (), requested=now[0])}
-        assert background._next().begun
+        background.request(os.getpid).result(60)
         return sum(waits)
 
     monkeypatch.setattr(processes, "monotonic", lambda: now[0])
@@ -102,7 +103,6 @@ def test_in_a_crowd_work_waits_for_a_pause_but_not_for_ever(background, monkeypa
     busy = 0.0
     now[0] += ACTIVE + 0.1  # all have left
     assert begin() == 0
-    background._works = {}
 
 
 def test_a_killed_process_is_replaced(background):
@@ -128,7 +128,7 @@ def test_nothing_is_left_behind_where_no_process_can_be_started(background, monk
         with pytest.raises(OSError, match="unavailable"):
             background.request(os.getpid).result(60)
     monkeypatch.undo()
-    monkeypatch.setattr(processes._Spawn, "Process", no_room)
+    monkeypatch.setattr(SpawnProcess, "start", no_room)
     with pytest.raises(OSError, match="unavailable"):
         background.request(os.getpid).result(60)
     monkeypatch.undo()
@@ -146,16 +146,29 @@ def test_nothing_is_left_behind_where_no_thread_can_be_started(background, monke
     assert background.request(os.getpid).result(60) > 0
 
 
-def test_an_end_ends_its_own_process_only_and_leaves_nobody_waiting(background):
+def open_writer(pipe):
+    """Open a pipe for writing once somebody reads from it."""
+    for _ in range(6000):
+        try:
+            return os.open(pipe, os.O_WRONLY | os.O_NONBLOCK)
+        except OSError:  # nobody reads yet
+            time.sleep(0.01)
+    raise AssertionError("nobody reads from the pipe")
+
+
+def test_an_end_ends_its_own_process_only_and_leaves_nobody_waiting(background, tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    writer = None
     other = Worker()
     bystander = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(600,))
     bystander.start()
     try:
         kept = other.call(os.getpid).result(60)
         own = background.request(os.getpid).result(60)
-        running, waiting = background.request(time.sleep, 600), background.request(os.getcwd)
-        while not background._works[time.sleep, (600,)].begun:
-            time.sleep(0.01)
+        running = background.request(Path.read_bytes, pipe)
+        waiting = background.request(os.getcwd)
+        writer = open_writer(pipe)  # the process has begun to read, and waits for an end
         background.close()
         assert wait([running], 60).done
         assert running.exception() is not None
@@ -166,6 +179,8 @@ def test_an_end_ends_its_own_process_only_and_leaves_nobody_waiting(background):
         assert other.call(os.getpid).result(60) == kept
         assert bystander.is_alive()
     finally:
+        if writer is not None:
+            os.close(writer)
         other.close()
         bystander.kill()
         bystander.join()

@@ -286,12 +286,13 @@ def test_a_session_may_wait_for_some_files_only_and_for_one_while_many_wait(desk
         wanted.start(files.Reply(file=one))
     assert wanted.full()
     assert not bystander.full()
-    crowd = [object() for _ in range(files.MOST_WAITING)]
-    files._making.update(crowd)
+    crowd = Files(page, told.append, State())
+    for _ in range(files.MOST_WAITING):
+        crowd.start(files.Reply(file=Future()))
     assert not bystander.full()
     bystander.start(files.Reply(file=Future()))
     assert bystander.full()
-    files._making.difference_update(crowd)
+    crowd.close()
     assert not bystander.full()
     futures[0].set_result({"told": "ready"})
     page.turn()

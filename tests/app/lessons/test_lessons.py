@@ -474,8 +474,7 @@ def test_colours_can_be_compared_within_a_step():
     session = Session()
 
     def top():
-        found = session.pages["explore"].charts["instability"]
-        return found._colours["growth"].high
+        return session.pages["explore"].charts["instability"].colours["growth"].high
 
     session.respond({"type": "lesson", "lesson": "04-gyroscope", "step": 3})
     before = top()

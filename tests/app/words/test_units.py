@@ -146,11 +146,11 @@ def test_the_verdict_names_tongues_in_hertz_and_loads_in_newtons(result):
 
 
 def test_the_verdict_gives_thresholds_and_growth_in_si():
-    damped = table_1(False, external_damping=0.02).floquet
+    damped = table_1(Detail.COARSE, external_damping=0.02).floquet
     first = min(damped.table, key=lambda row: row.threshold)
     found = numbers_of(verdict(damped, SCALES), r"up to β_d = [\d.]+ \(P_t = ([\d.]+) N\)")
     assert found == pytest.approx([first.threshold * SCALES.load], rel=1e-3)
-    whirling = table_1(False, internal_damping=0.2, spin_speed=4.0).floquet
+    whirling = table_1(Detail.COARSE, internal_damping=0.2, spin_speed=4.0).floquet
     assert whirling.table.mean_growth > 0
     found = numbers_of(verdict(whirling, SCALES), r"σ = ([\d.e+-]+) per second")
     assert found == pytest.approx([whirling.table.mean_growth * SCALES.frequency], rel=1e-2)
@@ -164,9 +164,9 @@ def test_a_point_is_told_in_hertz_newtons_and_seconds(extra):
     state = State()
     state.apply_preset("Table 1, 1000 rpm")
     assert state.change(POINT | extra) == {}
-    plain = inspect(state, solve(state, False))
+    plain = inspect(state, solve(state, Detail.COARSE))
     state.change({"units": "SI"})
-    result = solve(state, False)
+    result = solve(state, Detail.COARSE)
     si = inspect(state, result)
     facts, old = dict(si.facts), dict(plain.facts)
     texts = [si.sentence, *facts, *facts.values(), si.charts["response"].x_label]
@@ -216,7 +216,7 @@ def test_the_report_in_si_holds_the_verdict_in_si(result):
 
 def test_the_title_of_an_exported_map_names_the_unit_of_its_numbers():
     state = State()
-    result = solve(state, False)
+    result = solve(state, Detail.COARSE)
     chart = result.charts["instability"]
     numbers = result.numbers["fundamental"], result.numbers["reference"]
     plain = chart_figure(chart, {})
