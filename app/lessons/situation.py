@@ -31,6 +31,7 @@ from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]
 
+_GROWTH = 1e-7  # part of the largest |ω|: rounding of frequencies that meet stays below it
 LARGEST_LOAD = 6.0
 """Largest magnitude of a case's own steady load [EI/L²]."""
 
@@ -137,7 +138,7 @@ class Situation:
         for _ in range(3):
             roots = whirl_frequencies(self.system.at_speed(speeds), self.static)
             growth = -np.imag(roots).min(axis=-1)
-            grows = np.flatnonzero(growth > 1e-7 * np.abs(roots).max(axis=-1))
+            grows = np.flatnonzero(growth > _GROWTH * np.abs(roots).max(axis=-1))
             if not grows.size:
                 return math.inf
             first = int(grows[0])

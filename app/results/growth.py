@@ -1,16 +1,14 @@
-"""When a growth rate counts as growth, for every word and number of the page."""
+"""What the motion at a point does, and which growth the page shows."""
 
 from __future__ import annotations
 
 from enum import Enum
 
+from rotorstab._tolerances import SMALLEST_GROWTH
 from rotorstab.floquet.point import FloquetSolution
 
-__all__ = ["NEGLIGIBLE_GROWTH", "Motion", "motion_of", "shows_growth"]
+__all__ = ["Motion", "motion_of", "shows_growth"]
 
-NEGLIGIBLE_GROWTH = 1e-8
-"""Growth rate [√(EI/(ρAL⁴))] below which rounding explains all of it."""
-_ERRORS = 3  # estimated errors by which growth must exceed 0 at a point
 _SHOWN = 1e-9  # imaginary part of a whirl frequency from which on it is shown
 
 
@@ -24,11 +22,10 @@ class Motion(Enum):
 
 def motion_of(solution: FloquetSolution) -> Motion:
     """Return whether the motion at one point grows, decays, or neither within the error."""
-    growth = float(solution.growth_rate)
-    certain = max(NEGLIGIBLE_GROWTH, _ERRORS * float(solution.error))
-    if growth > certain:
+    if solution.unstable:
         return Motion.GROWS
-    return Motion.DECAYS if growth < -certain else Motion.NEITHER
+    certain = max(SMALLEST_GROWTH, float(solution.error))
+    return Motion.DECAYS if float(solution.growth_rate) < -certain else Motion.NEITHER
 
 
 def shows_growth(imaginary: float) -> bool:

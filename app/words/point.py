@@ -10,7 +10,7 @@ from rotorstab.charts import written
 from rotorstab.floquet.point import FloquetSolution
 
 from ..results.analysis import Result
-from ..results.growth import NEGLIGIBLE_GROWTH, Motion, motion_of
+from ..results.growth import Motion, motion_of
 from ..results.nearest import Pair, nearest_resonance
 from ..state import State
 from .si import shown_scales
@@ -59,7 +59,7 @@ def describe(
         f"the rotor is {'unstable' if motion is Motion.GROWS else 'stable'} (Floquet: {pace}); "
         f"{_multipliers(floquet)}. "
     )
-    if result.floquet.table.mean_growth > NEGLIGIBLE_GROWTH:
+    if result.floquet.table.mean_is_unstable:
         sentence += (
             "The steady motion grows by itself, without any pulsation, so no tongue stands out."
         )

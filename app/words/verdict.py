@@ -8,7 +8,6 @@ from rotorstab import Scales
 from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
 
 from ..results.floquet_answer import TABLE_FACTOR, FloquetAnswer
-from ..results.growth import NEGLIGIBLE_GROWTH
 from ..results.limits import Detail
 from .units import Units
 
@@ -58,7 +57,7 @@ def _regions(answer: FloquetAnswer, units: Units) -> str:
 def _margin(answer: FloquetAnswer, units: Units) -> str:
     """Return the smallest pulsating load that destabilises, in words."""
     table = answer.table
-    if table.mean_growth > NEGLIGIBLE_GROWTH:
+    if table.mean_is_unstable:
         rate = units.rate_words(table.mean_growth)
         return f"The rotor is unstable without any pulsation: its steady motion grows at {rate}."
     first = min(table, key=lambda row: row.threshold)
@@ -86,7 +85,7 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     if answer.detail is Detail.COARSE:
         return " Shares of the window and the slowest loads follow once the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
-    if answer.table.mean_growth > NEGLIGIBLE_GROWTH:
+    if answer.table.mean_is_unstable:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
         return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
@@ -157,7 +156,7 @@ def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:
 
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
     units = Units(answer.fundamental_frequency, answer.reference_load, scales)
-    if answer.table.mean_growth > NEGLIGIBLE_GROWTH:
+    if answer.table.mean_is_unstable:
         return _margin(answer, units)  # no tongue stands out where everything grows
     return f"{_regions(answer, units)} {_margin(answer, units)}"
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from app.live.chart import _same
 from app.results.analysis import solve
+from app.results.limits import Detail
 from app.state import State
 from rotorstab.drawing import screen
 
@@ -45,7 +46,7 @@ def charts(slider=None, value=None, without=()):
     if slider:
         errors = state.change({slider: value})
         assert not errors, errors
-    made = solve(state, settled=False).charts
+    made = solve(state, Detail.COARSE).charts
     return {
         key: replace(chart, layers=tuple(one for one in chart.layers if one.label not in without))
         for key, chart in made.items()

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from app.live.chart import LiveChart
 from app.results.analysis import CHARTS, solve
+from app.results.limits import Detail
 from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
 from rotorstab.charts import ROLES
@@ -27,10 +28,10 @@ KINDS = {"regions", "lines", "points", "labels", "map"}
 PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
 
 
-def solved(values=None, settled=False):
+def solved(values=None, detail=Detail.COARSE):
     state = State()
     assert state.change(values or {}) == {}
-    return solve(state, settled).charts
+    return solve(state, detail).charts
 
 
 def sound(chart):
@@ -80,9 +81,9 @@ def test_labels_of_limits_stay_inside_and_apart(spin, stiffness):
 
 
 @pytest.mark.parametrize("preset", [*PRESETS, None])
-@pytest.mark.parametrize("settled", [False, True])
-def test_the_charts_of_every_preset_are_sound(preset, settled):
-    found = solved(PRESETS.get(preset, PAST_FLUTTER), settled)
+@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.REFINED])
+def test_the_charts_of_every_preset_are_sound(preset, detail):
+    found = solved(PRESETS.get(preset, PAST_FLUTTER), detail)
     assert tuple(found) == CHARTS
     assert all(sound(chart) for chart in found.values())
 

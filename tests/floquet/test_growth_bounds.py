@@ -68,7 +68,7 @@ KINDS = {
 
 @pytest.mark.parametrize(("inputs", "share", "slack"), SHARES)
 def test_the_page_says_the_true_share(inputs, share, slack):
-    answer = solve(State(**inputs), "map").floquet
+    answer = solve(State(**inputs), Detail.FULL).floquet
     assert answer.unstable_share == pytest.approx(share, abs=slack)
 
 
