@@ -104,6 +104,13 @@ A time response over 10,000 periods then neither grows nor decays through the er
 propagator, 1e-11.
 """
 
+OUTSIDE_UNIT_CIRCLE = 1e-6
+"""Distance |μ| − 1 above which a multiplier is shown as growing.
+
+It is larger than `ON_UNIT_CIRCLE`, for here each multiplier counts, not only the largest: two that
+are about to collide have errors of 1e-7.
+"""
+
 UNCERTAIN_PIXEL = 1e-5
 """Error of a growth rate σ̄ on a map above which the pixel is solved again point by point."""
 

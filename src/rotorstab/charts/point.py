@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .._tolerances import OUTSIDE_UNIT_CIRCLE
 from ..floquet.response import TimeResponse
 from .columns import Lines, mark_columns
 from .quantities import EXCITATION, WHIRL, Amount, Quantity, Wording
@@ -22,7 +23,6 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 _NICE = np.array([1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 10.0])
-_OUTSIDE = 1e-6  # |μ| − 1 above which a multiplier is drawn as growing
 _CIRCLE = np.linspace(0, 2 * np.pi, 181)
 
 
@@ -46,7 +46,7 @@ def multiplier_chart(multipliers: Complex) -> Chart:
     lines = Lines()
     lines.add(np.cos(_CIRCLE), np.sin(_CIRCLE), "unit circle, |μ| = 1", "unit circle")
     rows = [(μ.real, μ.imag, f"μ = {μ:.4f}, |μ| = {abs(μ):.6f}") for μ in shown]
-    grows = np.abs(shown) > 1 + _OUTSIDE
+    grows = np.abs(shown) > 1 + OUTSIDE_UNIT_CIRCLE
     out = [row for row, outside in zip(rows, grows, strict=True) if outside]
     within = [row for row, outside in zip(rows, grows, strict=True) if not outside]
     return Chart(

@@ -165,8 +165,8 @@ def growth_rate(
     Returns
     -------
     (...) float
-        [√(EI/(ρAL⁴))]; to 1e-9, save within about 1e-9 of a tongue's edge, where a double
-        multiplier turns an error ε into √ε.
+        [√(EI/(ρAL⁴))]; right to 1e-9, except within about 1e-9 of the edge of a tongue, where a
+        double multiplier turns an error ε into √ε.
 
     Examples
     --------

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from .._tolerances import VISIBLE_GROWTH
 from ..bolotin.boundaries import boundary_frequencies
 from ..charts.figure import Panel, Region, Statement
 from ..floquet.point import growth_rate
@@ -31,7 +32,6 @@ PRINCIPAL = "1B+1F"
 """The pair whose tongue the paper's first region stands for."""
 
 _GRID = (600, 80)  # points over θ/ω_n and β_d on which areas are compared
-_GROWS = 1e-6  # a growth rate above this is one
 _CONFIRMED = 0.8  # of a Bolotin region that must be unstable for its shading to survive
 Variants = Sequence[Sequence[Variant]]
 
@@ -69,7 +69,8 @@ def separating(variant: Variant, factor: float = 0.1) -> int:
     pulsating = factor * variant.reference_load
     edges = boundary_frequencies(system, mean, pulsating)[:4]
     steps = np.minimum(np.repeat(edges[1::2] - edges[::2], 2) / 4, 0.02 * edges)
-    sides = growth_rate(system, mean, pulsating, np.array([edges - steps, edges + steps])) > _GROWS
+    growth = growth_rate(system, mean, pulsating, np.array([edges - steps, edges + steps]))
+    sides = growth > VISIBLE_GROWTH
     return int((sides[0] != sides[1]).sum())
 
 

@@ -127,8 +127,8 @@ def multiplier_collisions(interpolant: ChartInterpolant, panel: int, loads: Arra
     On columns that are close enough for the fastest pair, each of the six pairs has a distance
     ln μ_i − ln μ_j and its rate of change. Where these say that the two meet before the next
     column, secants find the maximum of the squared distance, which is smooth through a collision.
-    The pairs are told apart by their place on the circle, so that two multipliers that pass do not
-    hide a tongue near them. Peaks of the growth on these columns are added.
+    The pairs are distinguished by their place on the circle, so that two multipliers that pass do
+    not hide a tongue near them. Peaks of the growth on these columns are added.
     """
     plan, sampler = interpolant.panels[panel], interpolant.sampler
     frequencies = sampler.basis.frequencies.real
