@@ -25,6 +25,8 @@ SYSTEMS = {
     "exact": lumped(BASE_CASE, 1.0, 0.5, stiffness="exact"),
     "damped": lumped(BASE_CASE, 2.0, external_damping=0.01, internal_damping=0.002),
 }
+# random rotors: some of them in every run, the others among the long tests
+FEW, MORE = list(range(6)), [pytest.param(seed, marks=pytest.mark.long) for seed in range(6, 20)]
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
@@ -59,7 +61,7 @@ def test_finite_element_chart():
     np.testing.assert_allclose(chart.growth, exact, atol=1e-5)
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", FEW + MORE)
 def test_no_tongue_slips_through(seed):
     system, static, load = random_lumped(seed)
     largest = 0.5 * load

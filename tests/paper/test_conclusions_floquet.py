@@ -21,7 +21,8 @@ from rotorstab import (
     tongue_edges,
     whirl_frequencies,
 )
-from rotorstab.paper import CONCLUSIONS, FLOQUET_CONCLUSIONS
+from rotorstab.paper import CONCLUSIONS
+from tests.testing.paper import floquet_conclusion
 
 BUCKLING = float(critical_load(BASE_CASE.shear))
 FREQUENCY = fundamental_frequency(lumped(BASE_CASE, 0.0))
@@ -71,7 +72,7 @@ def unstable_share(spin, tangency):
     ],
 )
 def test_verdicts(letter, verdict):
-    statement = FLOQUET_CONCLUSIONS[letter]()
+    statement = floquet_conclusion(letter)
     assert statement.verdict == verdict
     assert statement.text == CONCLUSIONS[letter]().text
     assert " nan" not in statement.ours

@@ -27,14 +27,10 @@ from rotorstab.drawing.tables import figure_csv, figure_json
 from rotorstab.floquet.tongues.outlines import unstable_outlines
 from rotorstab.model.finite_element import first_modes
 from rotorstab.paper import FIGURES, FLOQUET_FIGURES
+from tests.testing.paper import floquet_figure as figure
 
 BUCKLING = float(critical_load(BASE_CASE.shear))
 FREQUENCY = fundamental_frequency(lumped(BASE_CASE, 0.0))
-
-
-@cache
-def figure(number):
-    return FIGURES[number](floquet=True)
 
 
 def halves(region):

@@ -5,11 +5,20 @@ from pathlib import Path
 
 import pytest
 
+from rotorstab.paper import validation
 from rotorstab.paper.published import PUBLISHED
-from rotorstab.paper.validation import validation_markdown
+from tests.testing import paper
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "validation.md"
 NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
+
+
+@pytest.fixture(scope="module")
+def document():
+    """The document as the code makes it now."""
+    with pytest.MonkeyPatch.context() as patch:
+        paper.share(patch, validation)
+        yield validation.validation_markdown()
 
 
 @pytest.mark.parametrize("one", PUBLISHED, ids=lambda one: one.quantity)
@@ -24,17 +33,16 @@ def test_every_value_has_a_source_and_a_tolerance():
         assert 0 < one.allowed <= 0.1 * abs(one.value)
 
 
-def test_the_validation_document_is_not_stale():
+def test_the_validation_document_is_not_stale(document):
     """Equal words, and numbers equal to two units of their last printed digit."""
     written = DOCUMENT.read_text(encoding="utf-8")
-    made = validation_markdown()
     advice = "stale: python -m rotorstab validation --output docs/validation.md --force"
-    assert NUMBER.split(written) == NUMBER.split(made), advice
-    for old, new in zip(NUMBER.findall(written), NUMBER.findall(made), strict=True):
+    assert NUMBER.split(written) == NUMBER.split(document), advice
+    for old, new in zip(NUMBER.findall(written), NUMBER.findall(document), strict=True):
         digits = len(old.partition("e")[0].partition(".")[2])
         step = 10.0**-digits if digits else 0.0
         assert abs(float(old) - float(new)) <= 2.0001 * step, advice
 
 
-def test_nothing_published_is_missed():
-    assert "**no**" not in validation_markdown()
+def test_nothing_published_is_missed(document):
+    assert "**no**" not in document
