@@ -92,7 +92,7 @@ def test_outline_of_mathieu_at_rest_without_pulsation_is_a_point():
 
 
 def test_bad_arguments_are_refused():
-    with pytest.raises(ValueError, match="`system` must be of two coordinates and one spin speed"):
+    with pytest.raises(ValueError, match="`system` must have two coordinates and one spin speed"):
         unstable_outlines(lumped(BASE_CASE, [0.0, 1.0]), 0.0, 1.0, 0.5, 1.0)
     with pytest.raises(ValueError, match="`largest_load` must be"):
         unstable_outlines(lumped(BASE_CASE, 0.0), 0.0, 0.0, 0.5, 1.0)
