@@ -20,7 +20,7 @@ LABEL org.opencontainers.image.title="rotorstab" \
       org.opencontainers.image.licenses="BSD-3-Clause"
 COPY --from=build /opt/rotorstab /opt/rotorstab
 WORKDIR /srv/rotorstab
-# Nothing is written but below /tmp and, once, the secret: the root file system may be read-only.
+# The workers write below /tmp only, and once the secret: the root file system may be read-only.
 RUN install -d -m 0700 -o 10001 -g 10001 /var/lib/rotorstab
 # hadolint ignore=DL3064
 ENV PATH=/opt/rotorstab/bin:$PATH \
@@ -40,7 +40,7 @@ HEALTHCHECK --interval=30s --timeout=5s --start-period=60s --retries=3 \
     CMD ["python", "-m", "deploy.check", "/health"]
 ENTRYPOINT ["python", "-m", "deploy.worker"]
 
-# nginx of the distribution, with the same template and launcher as without Docker.
+# nginx of the distribution, with the template and the launcher that are used without Docker.
 FROM worker AS proxy
 USER 0:0
 # hadolint ignore=DL3008

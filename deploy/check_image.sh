@@ -12,7 +12,7 @@ set -eu
 project=$(cd -- "$(dirname -- "$0")/.." && pwd)
 base=${1:-}
 work=$(mktemp -d)
-# as root in a container there is often no overlay file system
+# root in a container often has no overlay file system
 build() { buildah --storage-driver vfs "$@"; }
 container=
 server=
@@ -39,7 +39,7 @@ if [ -z "$base" ]; then
     fi
 fi
 
-# the host's certificates and pip settings: a lab may sit behind a mirror of its own
+# the host's certificates and pip settings, because a lab may have a mirror of its own
 set -- --volume /etc/ssl/certs:/etc/ssl/certs:ro
 [ ! -f /etc/pip.conf ] || set -- "$@" --volume /etc/pip.conf:/etc/pip.conf:ro
 build bud --isolation chroot --format docker --build-arg "BASE=$base" "$@" \
@@ -51,7 +51,7 @@ port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0));
 address=$(build inspect --format '{{range .OCIv1.Config.Env}}{{println .}}{{end}}' "$container")
 entry=$(build inspect --format '{{range .OCIv1.Config.Entrypoint}}{{println .}}{{end}}' "$container")
 
-# mounts of its own, gone with the process
+# a mount namespace of its own, which ends with the process
 printf '%s\n' "$address" "ADDRESS=127.0.0.1" "PORT=$port" "ROTORSTAB_ORIGINS=localhost:$port" \
     >"$work/environment"
 unshare --mount sh -eu -c '
@@ -95,7 +95,8 @@ python3 - "$server" <<'PYTHON'
 import sys
 process = f"/proc/{sys.argv[1]}"
 status = dict(line.split(":", 1) for line in open(f"{process}/status").read().splitlines())
-root = next(one.split() for one in open(f"{process}/mountinfo") if one.split()[4] == "/")
+mounts = [line.split() for line in open(f"{process}/mountinfo")]
+root = next(mount for mount in mounts if mount[4] == "/")
 assert status["Uid"].split() == ["10001"] * 4, status["Uid"]
 assert int(status["CapEff"], 16) == int(status["CapPrm"], 16) == 0, status["CapEff"]
 assert status["NoNewPrivs"].strip() == "1"

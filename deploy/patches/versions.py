@@ -1,7 +1,7 @@
-"""The versions of Panel and related libraries for which the app is made: pyproject.toml's bounds.
+"""The versions of Panel and related libraries for which the app is made, and its methods.
 
-The app and its server replace parts of these libraries that are no public interface and may move
-at any release.
+The app and its server replace and override parts of these libraries that are no public interface
+and may move at any release. pyproject.toml has the bounds of the versions.
 """
 
 from __future__ import annotations
@@ -12,11 +12,14 @@ from functools import cache
 from importlib import metadata
 
 from packaging.requirements import Requirement
+from panel.custom import JSComponent
 
-__all__ = ["PATCHED", "unknown", "warn"]
+__all__ = ["OVERRIDDEN", "PATCHED", "moved", "unknown", "warn"]
 
 LOG = logging.getLogger("rotorstab.app")
 PATCHED = ("panel", "holoviews", "bokeh", "tornado")
+OVERRIDDEN = ("_server_event", "_comm_event", "_process_bokeh_event", "_process_event")
+"""Methods of Panel's `JSComponent` that `app/live/controls.py` overrides or calls."""
 
 
 def _requirements() -> list[str]:
@@ -46,12 +49,21 @@ def unknown(requirements: Sequence[str], installed: Callable[[str], str]) -> lis
     ]
 
 
+def moved() -> list[str]:
+    """Return which of `OVERRIDDEN` this Panel does not have, in words."""
+    return [
+        f"panel.custom.JSComponent has no {name}"
+        for name in OVERRIDDEN
+        if not hasattr(JSComponent, name)
+    ]
+
+
 @cache
 def warn() -> None:
-    """Log once where a library has a version for which the app is not made."""
-    if libraries := unknown(_requirements(), metadata.version):
+    """Log once where a library is not the one for which the app is made."""
+    if problems := [*unknown(_requirements(), metadata.version), *moved()]:
         LOG.warning(
             "this may not work as it should: %s; "
             "pip install 'rotorstab[app]' installs what it is made for",
-            ", ".join(libraries),
+            ", ".join(problems),
         )

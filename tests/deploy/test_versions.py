@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from panel.custom import JSComponent
 
 from deploy.patches import patching
-from deploy.patches.versions import PATCHED, unknown
+from deploy.patches.versions import OVERRIDDEN, PATCHED, moved, unknown
 from tests.testing.serving import free_port
 
 ROOT = Path(__file__).parents[2]
@@ -35,6 +36,14 @@ def test_a_version_beyond_the_bounds_is_named():
     assert "panel 99.0 (made for <1.11,>=1.9.0)" in libraries
     assert unknown(REQUIRED, floor) == []
     assert unknown([], next_year) == []
+
+
+@pytest.mark.parametrize("name", OVERRIDDEN)
+def test_a_method_that_the_page_overrides_and_panel_has_no_more_is_named(monkeypatch, name):
+    assert moved() == []
+    (owner,) = (kind for kind in JSComponent.__mro__ if name in vars(kind))
+    monkeypatch.delattr(owner, name)
+    assert moved() == [f"panel.custom.JSComponent has no {name}"]
 
 
 def floor(name):
