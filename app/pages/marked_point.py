@@ -133,5 +133,5 @@ def _facts_of_motion(response: TimeResponse, wanted: int) -> list[list[str]]:
         facts.append(["Periods shown", f"{shown}: the whirl is fast against the load"])
     powers = response.growth_rate * float(response.time[-1]) / math.log(10)
     if powers > _STRONG_GROWTH:
-        facts.append(["Grows over the stretch", f"by 10 to the power {powers:.1f}"])
+        facts.append(["Growth over the time shown", f"by a factor of 10 to the power {powers:.1f}"])
     return facts

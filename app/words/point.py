@@ -61,7 +61,7 @@ def describe(
     )
     if result.floquet.table.mean_is_unstable:
         sentence += (
-            "The steady motion grows by itself, without any pulsation, so no tongue stands out."
+            "The steady motion grows by itself, without any pulsation, so no tongue is named."
         )
         return facts, sentence
     sentence += _bolotin_words(bolotin, motion is Motion.GROWS, region)
@@ -76,13 +76,13 @@ def _pace(motion: Motion, growth: float, period: float, units: Units) -> tuple[l
     """Return the facts and the words for how fast the motion grows or decays."""
     if motion is Motion.NEITHER:
         facts = [[units.rate(0.0)[0], "0"], ["Doubles in", "never"]]
-        return facts, "the motion neither grows nor dies"
+        return facts, "the motion neither grows nor decays"
     time = math.log(2) / abs(growth)
     name = "Doubles in" if motion is Motion.GROWS else "Halves in"
     periods, duration = f"{written(time / period, 3)} periods", units.time(time)
     facts = [
         [*units.rate(growth)],
-        [f"{units.product} a period", written(growth * period)],
+        [f"Growth {units.product} per period", written(growth * period)],
         [name, f"{periods} ({duration})"],
     ]
     pace = periods if units.scales is None else f"{duration}, {periods}"
@@ -109,15 +109,16 @@ def _near(state: State, pair: Pair, result: Result, units: Units) -> tuple[list[
     frequency = result.numbers["fundamental"]
     centre = pair.centre / frequency
     facts = [
-        ["Nearest pair", f"{pair.name} at {units.place(centre)}"],
-        ["θ above it by", units.offset(state.marker_frequency - centre)],
+        ["Nearest pair of whirls", f"{pair.name} at {units.place(centre)}"],
+        ["θ above its resonance by", units.offset(state.marker_frequency - centre)],
     ]
     threshold = pair.threshold / units.reference
     if threshold == 0:
         effect = "makes a tongue"
     elif math.isfinite(threshold):
         effect = (
-            f"makes a tongue where damping gives way, from {units.factor(threshold)} to first order"
+            f"makes a tongue that, to first order, begins at {units.factor(threshold)} because of "
+            "the damping"
         )
     else:
         effect = "makes no tongue under this load"

@@ -15,11 +15,12 @@ __all__ = ["verdict", "verdict_room"]
 
 _MOST = 6  # regions named in one sentence
 _BELOW_THRESHOLD = 0.9  # part of the first-order threshold below which growth contradicts it
+_LARGER = 1.05  # ratio of two areas above which one is called larger
 _SLIVER = 0.02  # share of the window that may be blank without a word
 _MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
 _LONGEST_COMPARISON = (
     " Of the computed part of this window 88 % is unstable; Bolotin regions cover 88 %, "
-    "overstating the area by 8,888 %; yet 88 % of what is unstable lies outside them."
+    "an area 8,888 times as large; 88 % of what is unstable lies outside them."
 )
 
 
@@ -43,7 +44,7 @@ def _regions(answer: FloquetAnswer, units: Units) -> str:
     regions = first_order_regions(answer.table, TABLE_FACTOR * units.reference)
     inside = [one for one in regions if low <= one.centre / units.fundamental <= high]
     if not inside:
-        return f"No tongue of first order is open in this window at β_d = {TABLE_FACTOR:g}."
+        return f"To first order no tongue lies in this window at β_d = {TABLE_FACTOR:g}."
     named = "; ".join(_region(region, units) for region in inside[:_MOST])
     more = f"; and {len(inside) - _MOST} more" if len(inside) > _MOST else ""
     noun = "unstable region" if len(inside) == 1 else "unstable regions"
@@ -65,15 +66,16 @@ def _margin(answer: FloquetAnswer, units: Units) -> str:
         return "To first order no pulsation, however large, makes two modes resonate."
     if first.threshold == 0:
         return (
-            "Without damping any pulsation, however small, suffices at a first-order "
-            "tongue’s centre."
+            "Without damping any pulsation, however small, destabilises the rotor at the centre of "
+            "a first-order tongue."
         )
     threshold = first.threshold / units.reference
     words = (
-        f"To first order, damping holds up to {units.factor(threshold)}; {first.name} goes first"
+        f"To first order, damping keeps the rotor stable up to {units.factor(threshold)}, where "
+        f"the tongue {first.name} begins"
     )
     if answer.unstable_from < _BELOW_THRESHOLD * threshold:
-        words += f", yet the map shows growth from {units.factor(answer.unstable_from)}"
+        words += f", but the map shows growth from {units.factor(answer.unstable_from)}"
     return words + "."
 
 
@@ -88,16 +90,21 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     if answer.table.mean_is_unstable:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
-        return f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation steadies it."
+        return (
+            f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation stabilises the "
+            "rotor."
+        )
     text = f" Of {place} {_percent(true, none=not answer.has_tongues)} is unstable"
     if not bolotin_shown:
         return text + "."
     text += f"; Bolotin regions cover {_percent(bolotin)}"
-    if true > 0 and bolotin > true:
-        text += f", overstating the area by {100 * (bolotin / true - 1):,.0f} %"
+    if true > 0 and bolotin > _LARGER * true:
+        ratio = bolotin / true
+        text += f", an area {ratio:,.0f} times" if ratio >= 100 else f", an area {ratio:.3g} times"
+        text += " as large"
     missed = true - both
     if missed > _MISSED * true > 0:
-        text += f"; yet {_percent(missed / true)} of what is unstable lies outside them"
+        text += f"; {_percent(missed / true)} of what is unstable lies outside them"
     return text + "."
 
 

@@ -43,8 +43,8 @@ def test_a_rotor_that_grows_by_itself_is_not_compared_with_bolotin():
     words = verdict(result.floquet)
     assert "unstable without any pulsation" in words
     assert "All of the computed part of this window is unstable, at any pulsation." in words
-    assert "overstating" not in words
-    assert "No tongue" not in words
+    assert "times as large" not in words
+    assert "no tongue lies" not in words
     # what is not computed is no disagreement
     layers = result.charts["instability"]
     growth = result.charts["instability"].layer("growth").columns["rate"][0]
@@ -66,8 +66,8 @@ def test_shares_are_of_the_computed_part():
     assert answer.unstable_share > 0.1
     words = verdict(answer)
     assert "Of the computed part of this window" in words
-    assert words.count("To first order, damping holds up to") == 1
-    assert f"yet the map shows growth from β_d = {answer.unstable_from:.3f}" in words
+    assert words.count("To first order, damping keeps the rotor stable up to") == 1
+    assert f"but the map shows growth from β_d = {answer.unstable_from:.3f}" in words
 
 
 def test_growth_too_strong_for_the_map_is_named():
@@ -116,11 +116,10 @@ def test_inspector_and_verdict_agree_on_a_tongue_that_damping_holds_down():
     state, result = solved(HELD | {"marker": True, "marker_frequency": 1.987, "marker_factor": 0.2})
     first = min(result.floquet.table, key=lambda row: row.threshold)
     threshold = f"{first.threshold / result.floquet.reference_load:.3f}"
-    assert f"damping holds up to β_d = {threshold}; {first.name} goes first" in verdict(
-        result.floquet
-    )
+    held = f"stable up to β_d = {threshold}, where the tongue {first.name} begins"
+    assert held in verdict(result.floquet)
     sentence = inspect(state, result).sentence
-    assert f"makes a tongue where damping gives way, from β_d = {threshold}" in sentence
+    assert f"makes a tongue that, to first order, begins at β_d = {threshold}" in sentence
     assert "no tongue" not in sentence
 
 
@@ -139,7 +138,7 @@ def test_a_coarse_map_is_no_measure_of_bolotin():
     words = [
         verdict(solved(values, detail)[1].floquet) for detail in (Detail.COARSE, Detail.REFINED)
     ]
-    assert not [one for one in words if "overstating" in one]
+    assert not [one for one in words if "times as large" in one]
     assert "follow once the sliders rest" in words[0]
     assert "Of this window" in words[1]
 
