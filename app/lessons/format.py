@@ -81,15 +81,18 @@ def _list(values: Mapping[str, Any], key: str, table: Table) -> tuple[str, ...]:
     for name in names:
         if not isinstance(name, str):
             raise table.error(key, f"{key} must be a list of names")
-        known = {
-            "look": lambda one: one in _CHARTS,
-            "move": lambda one: one in State().inputs(),
-            "given": lambda one: find(one) is not None,
-            "watch": lambda one: find(one) is not None,
-        }[key](name)
-        if not known:
+        if not _is_known(key, name):
             raise table.error(key, f"{key}: there is no {name[:60]!r}")
     return tuple(names)
+
+
+def _is_known(key: str, name: str) -> bool:
+    """Whether a name can stand in a list of a show block."""
+    if key == "look":
+        return name in _CHARTS
+    if key == "move":
+        return name in State().inputs()
+    return find(name) is not None
 
 
 def _flag(values: Mapping[str, Any], key: str, table: Table) -> bool:

@@ -72,7 +72,7 @@ def _present_value(name: str, inputs: Mapping[str, Any]) -> str:
 def _asked(step: Step) -> list[str]:
     """Return the quantities of the answer that the page hides, since they would give it away."""
     answer = step.question.answer
-    return [one.name for one in answer.terms if one.name not in step.given] if answer else []
+    return [term.name for term in answer.terms if term.name not in step.given] if answer else []
 
 
 def describe(lesson: Lesson, index: int) -> dict[str, Any]:
@@ -86,7 +86,7 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
         "number": keys.index(lesson.key) + 1 if lesson.key in keys else 0,
         "next": dict(pairwise(keys)).get(lesson.key, ""),
         "step": index,
-        "titles": [str(Markup(one.title).striptags()) for one in lesson.steps],
+        "titles": [str(Markup(other.title).striptags()) for other in lesson.steps],
         "intro": lesson.intro if index == 0 else "",
         "heading": step.title,
         "predict": step.predict,

@@ -74,8 +74,13 @@ def describe(number: int, floquet: bool) -> dict[str, Any]:
             for name, value in figure.parameters.items()
         ],
         "reading": [
-            {"text": one.text, "ours": one.ours, "verdict": one.verdict, "note": one.note}
-            for one in figure.reading
+            {
+                "text": reading.text,
+                "ours": reading.ours,
+                "verdict": reading.verdict,
+                "note": reading.note,
+            }
+            for reading in figure.reading
         ],
         "settings": _settings(figure),
     }

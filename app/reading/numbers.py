@@ -33,7 +33,7 @@ class TwoReadings(ValueError):
 
 def printable(text: str, longest: int = 40) -> str:
     """Return a foreign text as one short printable line."""
-    line = "".join(one if one.isprintable() else " " for one in text[: longest + 1])
+    line = "".join(letter if letter.isprintable() else " " for letter in text[: longest + 1])
     return line if len(text) <= longest else line[:longest] + " …"
 
 
@@ -66,7 +66,7 @@ def read_number(text: str) -> float:
     if len(plain) > 400 or not _NUMBER.fullmatch(plain):
         raise ValueError(f"{printable(text)!r} is not a number")
     if _TWO_READINGS.fullmatch(plain):
-        readings = " or ".join(f"{float(plain.replace(',', one)):.10g}" for one in (".", ""))
+        readings = " or ".join(f"{float(plain.replace(',', point)):.10g}" for point in (".", ""))
         raise TwoReadings(f"{plain!r} can mean {readings}: write one of them")
     plain = re.sub(_SPACES, "", plain)
     last = max(plain.rfind("."), plain.rfind(","))

@@ -121,7 +121,9 @@ def _split(word: str) -> tuple[str, ...]:
     if not _meanings(word) and len(word) <= _LONGEST_NAME:
         metre = _in_base_units("m").units
         for at in range(1, len(word)):
-            if _meanings(word[:at]) and any(one.units == metre for one in _meanings(word[at:])):
+            if _meanings(word[:at]) and any(
+                meaning.units == metre for meaning in _meanings(word[at:])
+            ):
                 return word[:at], word[at:]
     return (word,)
 
@@ -136,7 +138,7 @@ def _factors(unit: str) -> list[tuple[str, int]]:
         at = found.end()
         sign = -1 if found["sign"] == "/" else 1
         *first, last = _split(found["name"])
-        factors += [(one, sign) for one in first]
+        factors += [(word, sign) for word in first]
         factors.append((last, sign * int(found["power"] or 1)))
     return factors if at == len(unit) else []
 
@@ -152,7 +154,11 @@ def _factor(unit: str, kind: str, words: str) -> float:
     if not readings:
         raise ValueError(f"{words} has no unit that is known")
     wanted = _in_base_units(DIMENSIONS[kind][0]).units
-    sizes = {f"{one.magnitude:.12g}": one.magnitude for one in readings if one.units == wanted}
+    sizes = {
+        f"{reading.magnitude:.12g}": reading.magnitude
+        for reading in readings
+        if reading.units == wanted
+    }
     if len(sizes) == 1:
         return float(sizes.popitem()[1])
     if kind == "speed" and readings[0].units == _in_base_units("Hz").units:

@@ -7,9 +7,9 @@ Every error is one line of text with the line of the file, the key, what is allo
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
+from .rates import rpm
 from .rotor_tables import KEYS, RotorTables
 from .state import SI_INPUTS, SYMBOLS, State
 
@@ -68,7 +68,7 @@ def write_rotor_file(state: State) -> str:
         lines += ["", "[disk]", f'mass = "{state.si_disk_mass!r} kg"']
         lines.append(f'diametral_inertia = "{state.si_diametral_inertia!r} kg m^2"')
         lines.append(f'polar_inertia = "{state.si_polar_inertia!r} kg m^2"')
-        turns = state.spin_speed * state.scales().frequency * 60 / (2 * math.pi)
+        turns = state.spin_speed * rpm(state.scales())
         speed = f'"{turns:.12g} rpm"'
     else:
         lines += ["", "[nondimensional]"]

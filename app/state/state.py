@@ -18,11 +18,12 @@ from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, Shaft
 from rotorstab.rotors.materials import MATERIALS
 
 from .inputs import SI_INPUTS, SYMBOLS, Inputs
+from .rates import rpm
 
 __all__ = ["PRESETS", "SI_INPUTS", "SYMBOLS", "State"]
 
 _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
-_THOUSAND_RPM = 1000 * 2 * math.pi / 60 / _TABLE_1_SCALES.frequency
+_THOUSAND_RPM = 1000 / rpm(_TABLE_1_SCALES)
 _SHORTEST_RANGE = 0.4  # of θ/ωₙ
 _ROUNDING = 1e-9  # by which a range may be shorter: 0.6 − 0.2 is less than 0.4
 _MATERIAL_INPUTS = ("youngs_modulus", "shear_modulus", "density", "shear_coefficient")
@@ -80,7 +81,7 @@ class State(Inputs):
         Raises
         ------
         ValueError
-            If the shaft is too thick for its length to be one.
+            If the shaft is too thick for its length.
         """
         try:
             return ShaftDisk.from_si(**self.si_data())
@@ -189,7 +190,7 @@ def _problem(name: Any, value: Any) -> str:
 
 
 def _rotor_values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
-    """Return the inputs of a rotor, and others beside them."""
+    """Return the inputs of a rotor, and other ones."""
     return {
         "shear": rotor.shear,
         "disk_mass": rotor.disk_mass,

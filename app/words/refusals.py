@@ -1,4 +1,4 @@
-"""What a user is told where the solver has no answer: no name of an argument, nothing of Python."""
+"""Messages for a user where the solver has no answer, without names of arguments or of Python."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ _PAST_POLE = (
 
 
 def user_message(error: ValueError) -> str:
-    """Return an error in words for a user; the log has the solver's own.
+    """Return the message of an error for a user.
 
-    The app's own sentences are handed on. The solver's name an argument in `backticks`.
+    A sentence of the app is returned as it is. A message of the solver, which names an argument in
+    `backticks`, goes to the log, and the user reads `FAILED`.
     """
     text = str(error)
     if isinstance(error, PastPole):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -10,6 +9,7 @@ from rotorstab import Scales
 from rotorstab.charts import LOAD_UNITS, Chart, chart_factors, in_si, load_unit, written
 
 from ..state import SI_INPUTS, SYMBOLS, State
+from ..state.rates import hertz, rpm
 
 __all__ = [
     "chart_in_si",
@@ -63,7 +63,7 @@ def quantities_in_si(scales: Scales) -> dict[str, tuple[float, str]]:
     """Return what one unit of a rotor's inputs is in SI, and the unit."""
     inertia = scales.mass * scales.length**2
     return {
-        "spin_speed": (scales.frequency * 60 / (2 * math.pi), "rpm"),
+        "spin_speed": (rpm(scales), "rpm"),
         "disk_mass": (scales.mass, "kg"),
         "diametral_inertia": (inertia, "kg m²"),
         "polar_inertia": (inertia, "kg m²"),
@@ -78,23 +78,23 @@ def key_numbers(
     Loads are in `unit`, by default the one that suits the shaft. `whirl` holds [Hz, 1/s] by
     mode, everything else one number or None.
     """
-    hertz = scales.frequency / (2 * math.pi)
+    to_hertz = hertz(scales)
     force = load_in(scales, unit)[0]
     loads = {
         name: None if numbers[name] is None else numbers[name] * force
         for name in ("buckling", "flutter", "static_load", "reference")
     }
     whirl = {
-        name: [real * hertz, imaginary * scales.frequency]
+        name: [real * to_hertz, imaginary * scales.frequency]
         for name, (real, imaginary) in numbers["whirl"].items()
     }
-    return {**loads, "fundamental": numbers["fundamental"] * hertz, "whirl": whirl}
+    return {**loads, "fundamental": numbers["fundamental"] * to_hertz, "whirl": whirl}
 
 
 def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
-    """Return what the browser shows in SI: key numbers, hints beside sliders, chart factors."""
+    """Return what the browser shows in SI: key numbers, values next to sliders, chart factors."""
     scales = state.scales()
-    fundamental = numbers["fundamental"] * scales.frequency / (2 * math.pi)
+    fundamental = numbers["fundamental"] * hertz(scales)
     hints = {
         name: f"{written(getattr(state, name) * factor)} {unit}"
         for name, (factor, unit) in quantities_in_si(scales).items()
@@ -116,17 +116,17 @@ def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -
 
 
 def shaft_words(state: State) -> dict[str, Any]:
-    """Return what the SI data make of Φ, M̄_D, Ī_D and Ī_P, and whether the charts show it."""
+    """Return Φ, M̄_D, Ī_D and Ī_P of the SI data in words, and whether the charts show them."""
     try:
         rotor, _ = state.si_rotor()
     except ValueError as error:
         return {"words": str(error), "in_use": False, "good": False}
-    given = [
+    quantities = [
         f"{SYMBOLS[name]} = {written(getattr(rotor, name), 5)}"
         for name in ("shear", "disk_mass", "diametral_inertia", "polar_inertia")
     ]
     in_use = state.shaft_in_use()
-    words = ", ".join(given)
+    words = ", ".join(quantities)
     return {
         "words": f"{words}: {'what the charts show.' if in_use else 'not what the sliders say.'}",
         "in_use": in_use,
@@ -135,7 +135,7 @@ def shaft_words(state: State) -> dict[str, Any]:
 
 
 def named_inputs(inputs: Mapping[str, Any]) -> dict[str, Any]:
-    """Return inputs for a table: those of the shaft in SI only where they count, with units."""
+    """Return inputs for a table; those of the shaft, with units, only if the charts are in SI."""
     found: dict[str, Any] = {}
     for name, value in inputs.items():
         if name not in SI_INPUTS:

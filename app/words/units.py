@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from rotorstab import Scales
 from rotorstab.charts import written
 
+from ..state.rates import hertz
 from .si import load_words
 
 __all__ = ["Units"]
@@ -84,4 +84,4 @@ class Units:
 
     def _hertz(self, ratio: float) -> float:
         assert self.scales is not None
-        return ratio * self.fundamental * self.scales.frequency / (2 * math.pi)
+        return ratio * self.fundamental * hertz(self.scales)

@@ -42,7 +42,7 @@ def _regions(answer: FloquetAnswer, units: Units) -> str:
     """Return the unstable regions of first order in the window, in words."""
     low, high = answer.frequency_range
     regions = first_order_regions(answer.table, TABLE_FACTOR * units.reference)
-    inside = [one for one in regions if low <= one.centre / units.fundamental <= high]
+    inside = [region for region in regions if low <= region.centre / units.fundamental <= high]
     if not inside:
         return f"To first order no tongue lies in this window at β_d = {TABLE_FACTOR:g}."
     named = "; ".join(_region(region, units) for region in inside[:_MOST])
