@@ -25,7 +25,7 @@ from ..words.si import displayed, shaft_words, shown_scales, si_answer
 from ..words.verdict import verdict, verdict_room
 from .base import FRAGMENTS, Page, Reply
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
-from .pins import Pin, differences, ghosted, pin, solved
+from .pins import Pin, differences, pin, solve_pin, with_pins
 
 __all__ = ["Explore"]
 
@@ -58,7 +58,7 @@ class Explore(Page):
         """Return the three charts, and those of the marked point if there is one."""
         result = solve(state, detail)
         charts = with_marks(result.charts, state, result) if state.marker else result.charts
-        charts = ghosted(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
+        charts = with_pins(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
         if state.marker and not self.opening:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
@@ -146,7 +146,7 @@ class Explore(Page):
             return None
         unsolved = self._unsolved_pins.pop(0)
         try:
-            self._add(solved(unsolved))
+            self._add(solve_pin(unsolved))
         except ValueError as error:
             return f"p{unsolved.number} ({user_message(error)})"
         except Exception:

@@ -20,7 +20,7 @@ from ..state import SI_INPUTS, SYMBOLS, State
 from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
 from ..words.si import chart_in_si, key_numbers, quantities_in_si, shown_scales
 
-__all__ = ["Pin", "differences", "ghosted", "pin", "solved"]
+__all__ = ["Pin", "differences", "pin", "solve_pin", "with_pins"]
 
 _CURVES = {"instability": "boundary", "load-frequency": "whirl", "campbell": "whirl"}
 # labels, non-dimensional and in SI; {} is the unit of load of the present shaft
@@ -59,10 +59,10 @@ def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
         return None
     inputs = state.inputs()
     kept = {name: inputs[name] for name in PINNED}
-    return solved(PinnedInputs(pin_name(name, free[0]), free[0], kept))
+    return solve_pin(PinnedInputs(pin_name(name, free[0]), free[0], kept))
 
 
-def solved(pinned: PinnedInputs) -> Pin:
+def solve_pin(pinned: PinnedInputs) -> Pin:
     """Return a pinned setting with its curves.
 
     Raises
@@ -77,7 +77,7 @@ def solved(pinned: PinnedInputs) -> Pin:
     return Pin(pinned.name, pinned.number, pinned.inputs, result, state.scales(), refined)
 
 
-def ghosted(
+def with_pins(
     charts: dict[str, Chart], pins: Sequence[Pin], scales: Scales | None
 ) -> dict[str, Chart]:
     """Return the charts with the pinned curves added.
@@ -92,14 +92,14 @@ def ghosted(
     if not pins:
         return charts
     return {
-        key: replace(chart, layers=(*chart.layers, _ghosts(chart, pins, scales)))
+        key: replace(chart, layers=(*chart.layers, _pinned_curves(chart, pins, scales)))
         if key in _CURVES
         else chart
         for key, chart in charts.items()
     }
 
 
-def _ghosts(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
+def _pinned_curves(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
     """Return the pinned curves, without those that are equal to a present one."""
     label = _CURVES[now.key]
     present = now.layer(label).columns

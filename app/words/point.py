@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from rotorstab._tolerances import OUTSIDE_UNIT_CIRCLE
 from rotorstab.charts import written
 from rotorstab.floquet.point import FloquetSolution
 
@@ -18,7 +19,6 @@ from .units import Units
 
 __all__ = ["describe"]
 
-_OUTSIDE = 1e-6  # |μ| − 1 above which a multiplier lies outside the unit circle
 _VERDICTS = {
     Motion.GROWS: "unstable",
     Motion.DECAYS: "stable: it decays",
@@ -91,7 +91,7 @@ def _pace(motion: Motion, growth: float, period: float, units: Units) -> tuple[l
 
 def _multipliers(floquet: FloquetSolution) -> str:
     """Return how many multipliers lie outside the unit circle, in words."""
-    outside = int((np.abs(floquet.multipliers) > 1 + _OUTSIDE).sum())
+    outside = int((np.abs(floquet.multipliers) > 1 + OUTSIDE_UNIT_CIRCLE).sum())
     verb = "multipliers lie" if outside > 1 else "multiplier lies"
     return f"{outside or 'no'} {verb} outside the unit circle"
 
