@@ -225,14 +225,14 @@ def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:
 def _closed_forms(x: Array) -> Array:
     """Return s, c, g and d (4, n) of `_entire_functions` where |x| is not small."""
     k = np.sqrt(np.abs(x))
-    one, sine, cosine = np.ones_like(k), np.sin(k), np.cos(k)
+    unit, sine, cosine = np.ones_like(k), np.sin(k), np.cos(k)
     tension = x < 0
     if tension.any():
         decay = np.exp(-k[tension])
-        one[tension] = decay
+        unit[tension] = decay
         sine[tension], cosine[tension] = (1 - decay**2) / 2, (1 + decay**2) / 2
     s = sine / k
-    c = (one - cosine) / x
+    c = (unit - cosine) / x
     g = (s - cosine) / x
     return np.stack([s, c, g, (2 * c - s) / x])
 
