@@ -5,20 +5,17 @@ Serves the dashboard on a free loopback port and photographs it with headless Ch
 
 from __future__ import annotations
 
-import os
 import shutil
-import signal
-import socket
-import subprocess
 import sys
-import time
-import urllib.request
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import BrowserContext, Page, sync_playwright
 
 from app.lessons import library
-from tests.testing.browser import find_browser
+from tests.testing.browser import FLAGS, find_browser
+from tests.testing.serving import Server
 
 ROOT = Path(__file__).resolve().parent.parent
 VIEWS = {
@@ -31,60 +28,43 @@ VIEWS = {
 }
 SIZES = {"wide": (1920, 1080), "desktop": (1280, 1000), "tablet": (820, 1100), "phone": (390, 844)}
 README = "explore-desktop-light.png"
-FLAGS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
+DRAWN = """(page) => window.rotorstab?.last?.page === page && rotorstab.last.at_rest
+  && (page !== "explore" || rotorstab.last.settled) && Bokeh.documents[0]?.is_idle"""
 
 
-def serve() -> tuple[subprocess.Popen[bytes], str]:
-    """Start the dashboard; return its process and address."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    process = subprocess.Popen(
-        [str(ROOT / "deploy" / "start.sh")],
-        env=os.environ | {"PORT": str(port), "PYTHON": sys.executable},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-    address = f"http://127.0.0.1:{port}"
-    for _ in range(120):
-        try:
-            with urllib.request.urlopen(f"{address}/health", timeout=2):
-                return process, f"{address}/app"
-        except OSError:
-            time.sleep(0.5)
-    os.killpg(process.pid, signal.SIGTERM)
-    raise SystemExit("the dashboard did not start; try `make serve` to see why")
+def open_view(context: BrowserContext, address: str) -> dict[str, Page]:
+    """Open a view in one tab for each size, all at the same time, and wait until all are drawn."""
+    tabs = {}
+    for size, (width, height) in SIZES.items():
+        tabs[size] = context.new_page()
+        tabs[size].set_viewport_size({"width": width, "height": height})
+        tabs[size].goto(address, wait_until="commit")
+    name = address.partition("#")[2]
+    for tab in tabs.values():
+        shown = "explore" if name.startswith("lesson/") else name
+        tab.wait_for_function(DRAWN, arg=shown, timeout=60_000)
+        if name.startswith("lesson/"):
+            tab.locator(".lesson").wait_for(state="visible")
+        if name == "paper":
+            tab.wait_for_selector(".picture img", timeout=60_000)
+    tab.wait_for_timeout(1500)  # for every tab: Bokeh puts tools in their places late
+    return tabs
 
 
-def photograph(browser: Browser, address: str, size: str, theme: str, to: Path) -> None:
-    """Save one picture of a page as a user first sees it."""
-    width, height = SIZES[size]
-    context = browser.new_context(
-        viewport={"width": width, "height": height}, color_scheme=theme, device_scale_factor=1
-    )
-    tab = context.new_page()
-    tab.goto(address)
-    tab.wait_for_function("window.rotorstab?.last && Bokeh.documents[0]?.is_idle")
-    if "#lesson/" in address:
-        tab.locator(".lesson").wait_for(state="visible")
-    if "#paper" in address:
-        tab.wait_for_selector(".picture img", timeout=60_000)
-    tab.wait_for_timeout(1500)
+def photograph(tab: Page, width: int, height: int) -> Iterator[tuple[str, bytes]]:
+    """Picture an open view from its top to its end, in both themes."""
     full = tab.evaluate("document.documentElement.scrollHeight")
     tab.set_viewport_size({"width": width, "height": max(height, full)})
-    tab.wait_for_timeout(700)
-    tab.screenshot(path=to)
-    context.close()
+    tab.wait_for_timeout(400)  # layout and colours of the charts
+    yield "light", tab.screenshot()
+    tab.evaluate(
+        """() => {
+          document.querySelector("button.theme").click();
+          localStorage.removeItem("rotorstab-theme");  // other tabs open in the light
+        }"""
+    )
+    tab.wait_for_timeout(400)
+    yield "dark", tab.screenshot()
 
 
 def main(folder: str = "build/screenshots") -> None:
@@ -94,21 +74,24 @@ def main(folder: str = "build/screenshots") -> None:
         raise SystemExit("no Chromium found: set CHROMIUM=/path/to/chrome")
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)
-    process, address = serve()
-    try:
-        with sync_playwright() as playwright:
+    with tempfile.TemporaryDirectory() as log, sync_playwright() as playwright:
+        server = Server(Path(log) / "log.txt")
+        try:
+            server.wait()
             browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+            context = browser.new_context(color_scheme="light", device_scale_factor=1)
             for view, place in VIEWS.items():
-                for size in SIZES:
-                    for theme in ("light", "dark"):
+                tabs = open_view(context, f"{server.origin}/app{place}")
+                for size, tab in tabs.items():
+                    for theme, picture in photograph(tab, *SIZES[size]):
                         to = target / f"{view}-{size}-{theme}.png"
-                        photograph(browser, address + place, size, theme, to)
+                        to.write_bytes(picture)
                         print(to)
-            shutil.copy(target / README, ROOT / "docs" / "images" / README)
+                    tab.close()
             browser.close()
-    finally:
-        os.killpg(process.pid, signal.SIGTERM)
-        process.wait()
+        finally:
+            server.stop()
+    shutil.copy(target / README, ROOT / "docs" / "images" / README)
 
 
 if __name__ == "__main__":

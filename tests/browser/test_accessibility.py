@@ -145,6 +145,7 @@ def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
         assert serious_faults(page, "dialog.code") == [], theme
 
 
+@pytest.mark.long
 def test_axe_finds_nothing_serious_in_any_lesson(open_page):
     page = open_page(path="/app#lessons")
     for number, (key, lesson) in enumerate(library().lessons.items()):

@@ -66,9 +66,9 @@ def watched(browser, dashboard):
     ("width", "query"),
     [
         (1600, "?v=1&spin=1.71"),
-        (1280, "?v=1&u=SI&spin=1.3&ze=0.011"),
-        (820, "?v=1&spin=1.72"),
         (390, "?v=1&u=SI&spin=1.3&ze=0.012"),
+        pytest.param(1280, "?v=1&u=SI&spin=1.3&ze=0.011", marks=pytest.mark.long),
+        pytest.param(820, "?v=1&spin=1.72", marks=pytest.mark.long),
     ],
 )
 def test_the_full_verdict_moves_no_chart(watched, width, query):

@@ -35,7 +35,7 @@ def test_against_dop853(system, static, pulsating, theta):
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
-@pytest.mark.parametrize("theta", [0.31, 1.57, 4.04])
+@pytest.mark.parametrize("theta", [pytest.param(0.31, marks=pytest.mark.long), 1.57, 4.04])
 def test_growth_to_1e9_inside_and_off_tongues(name, theta):
     system = SYSTEMS[name]
     expected = reference_growth(system, 0.5 * P, 0.6 * P, theta * W)

@@ -89,7 +89,7 @@ OVERDAMPED = {
 
 @pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
 @pytest.mark.parametrize("kind", [*KINDS, "overdamped"])
-@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.long)])
 def test_pixels_against_points(kind, seed, detail):
     """No claim is too small; hardly a verdict is wrong, and only of growth that is next to none."""
     overdamped = kind == "overdamped"

@@ -118,7 +118,9 @@ def test_no_margin_an_unstable_mean_and_bad_input():
         critical_pulsation(system, 0.0, 2.0, 0.1)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize(
+    "seed", [0, 1, *(pytest.param(one, marks=pytest.mark.long) for one in (2, 3))]
+)
 def test_margins_of_random_rotors_against_a_search_of_its_own(seed):
     """`python -m benchmarks margin` is the long form."""
     margin, word = judged(*random_case(np.random.default_rng(seed)))
