@@ -39,8 +39,9 @@ def add_command(commands: Any) -> None:
     parser: argparse.ArgumentParser = commands.add_parser(
         "serve",
         help="serve the dashboard",
-        description="Serve the dashboard until Ctrl-C or SIGTERM; with several workers behind "
-        "nginx. All settings are environment variables too (docs/deploy.md).",
+        description="Serve the dashboard until Ctrl-C or SIGTERM; several workers are served "
+        "behind nginx. Other settings are environment variables (docs/deploy.md): to serve other "
+        "machines, set ROTORSTAB_ORIGINS to the host:port that their browsers show.",
     )
     for entry in fields(Settings):
         if entry.name in OPTIONS:

@@ -44,13 +44,13 @@ def remove_stale_folders() -> None:
 
 def look_up(upstream: Sequence[str]) -> list[str]:
     """Return the sorted addresses of names such as `worker:5006`; names without one are omitted."""
-    found = set()
+    addresses: set[str] = set()
     for name in upstream:
         host, _, port = name.rpartition(":")
         with suppress(OSError):
             infos = socket.getaddrinfo(host, int(port), socket.AF_INET, socket.SOCK_STREAM)
-            found |= {"{}:{}".format(*address) for *_, address in infos}
-    return sorted(found)
+            addresses |= {"{}:{}".format(*address) for *_, address in infos}
+    return sorted(addresses)
 
 
 async def follow(

@@ -38,9 +38,9 @@ def record(line: str) -> None:
     if line.startswith("{"):  # the access log, written as JSON without addresses and queries
         print(line, file=sys.stderr, flush=True)
         return
-    found = LINE.fullmatch(line)
-    if found:
-        LOG.log(LEVELS.get(found["level"], logging.ERROR), "%s", without_client(found["message"]))
+    match = LINE.fullmatch(line)
+    if match:
+        LOG.log(LEVELS.get(match["level"], logging.ERROR), "%s", without_client(match["message"]))
     elif line:
         LOG.warning("%s", without_client(line))
 
