@@ -73,7 +73,8 @@ def chart_options(model: Model, detail: Detail) -> dict[str, Any]:
     """Return the options of `stability_chart` for the growth map of a model."""
     return {
         "density": map_size(model.kind, detail).density,
-        "refine": limits.MOST_REFINED[model.kind] if detail is Detail.REFINED else 0,
+        "refine": detail is Detail.REFINED,
+        "most_refined": limits.MOST_REFINED[model.kind],
         # tongues narrower than a pixel are shown by their edges
         "seed": False,
     }

@@ -119,7 +119,25 @@ def test_rows_past_the_pole_are_nan():
     assert not chart.unstable[1].any()
 
 
+def test_the_number_of_pixels_computed_again_is_bounded():
+    # strong growth, of which the interpolated polynomial knows little
+    system, loads = lumped(BASE_CASE, 0.5), np.linspace(0, 2, 9) * P
+    theta = np.linspace(0.1, 5, 24) * W
+    full, some, none = (
+        stability_chart(system, 0.9 * P, loads, theta, seed=False, **options)
+        for options in ({}, {"most_refined": 3}, {"refine": False})
+    )
+    assert full.refined > 3
+    assert (some.refined, none.refined) == (3, 0)
+    changed = (some.growth != none.growth) & ~(np.isnan(some.growth) & np.isnan(none.growth))
+    assert changed.sum() <= 3
+
+
 def test_bad_input():
+    with pytest.raises(ValueError, match="`refine` must be True or False, got 600; `most_refined`"):
+        stability_chart(SYSTEMS["axial"], 0.0, [0.1], [1.0], refine=600)
+    with pytest.raises(ValueError, match="`most_refined` must be a whole number"):
+        stability_chart(SYSTEMS["axial"], 0.0, [0.1], [1.0], most_refined=2.5)
     with pytest.raises(ValueError, match="`density` must be in"):
         stability_chart(SYSTEMS["axial"], 0.0, [0.1], [1.0], density=9)
     with pytest.raises(ValueError, match="`excitation_frequencies` must be in"):

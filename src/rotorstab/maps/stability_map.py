@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .._arguments import number, numbers
+from .._arguments import number, numbers, whole_number
 from .._tolerances import NO_VERDICT, SMALLEST_GROWTH, UNCERTAIN_PIXEL
 from .._types import Array, ArrayLike, Mask
+from ..floquet.criterion import is_unstable
 from ..floquet.interpolant.chart_interpolant import ChartInterpolant
 from ..floquet.point import floquet_solution
 from ..floquet.tongues.subpixel import growth_of_collisions, growth_of_table
@@ -28,18 +29,19 @@ class StabilityChart:
     excitation_frequencies : (C,) float
         θ̄ of the columns [√(EI/(ρAL⁴))].
     growth : (R, C) float
-        σ at the pixel's centre; NaN in rows whose load passes `System.largest_load`, and where
-        rounding leaves nothing of it in a pixel that is not computed again.
+        σ at the centre of the pixel [√(EI/(ρAL⁴))]. NaN in rows whose load passes
+        `System.largest_load`, and in pixels that are not computed again although rounding exceeds
+        their growth.
     error : (R, C) float
-        Bound on its error from the method's own estimates: the tolerance of the verdict.
+        Bound on the error of `growth`, which it must exceed for the pixel to be unstable.
     peak_growth : (R, C) float
-        `growth`, or that of a tongue narrower than a pixel which passes through it.
+        `growth`, or the larger growth in a tongue narrower than a pixel that passes through.
     unstable : (R, C) bool
-        Whether `growth` exceeds its error or a narrow tongue passes.
+        Whether `growth` exceeds its error, or a narrow tongue passes through the pixel.
     refined : int
-        Pixels computed again one by one.
+        Number of pixels that were computed again one by one.
     seeded : int
-        Pixels unstable only for a narrow tongue.
+        Number of pixels that are unstable only because of a narrow tongue.
     """
 
     pulsating_loads: Array
@@ -72,7 +74,8 @@ def stability_chart(
     excitation_frequencies: ArrayLike,
     *,
     density: float = 1.0,
-    refine: bool | int = True,
+    refine: bool = True,
+    most_refined: int | None = None,
     seed: bool = True,
 ) -> StabilityChart:
     """Return growth rates on a grid, with errors and the verdict of each pixel.
@@ -80,7 +83,7 @@ def stability_chart(
     Parameters
     ----------
     system : System
-        One spin speed; lumped or reduced finite-element, damped or not, any stiffness law.
+        At one spin speed; lumped or reduced finite-element, damped or not, any stiffness law.
     static_load : float
         p̄₀ [EI/L²].
     pulsating_loads : (R,) float
@@ -88,16 +91,18 @@ def stability_chart(
     excitation_frequencies : (C,) float
         θ̄ [√(EI/(ρAL⁴))], above 0, in any order.
     density : float
-        Nodes and steps relative to the tuned numbers, in [0.3, 3]; less is faster and less
-        accurate, which the error estimate then says.
-    refine : bool or int
-        Compute pixels whose error bound exceeds 1e-5 again by `floquet_solution`; at most so
-        many of them, those first whose verdict is in doubt, of the fastest loads first: the
-        others keep their error.
+        Numbers of nodes and steps relative to the tuned ones, in [0.3, 3]. A smaller value is
+        faster and less accurate, and the error bounds say so.
+    refine : bool
+        Whether pixels whose error bound exceeds 1e-5 are computed again by `floquet_solution`.
+    most_refined : int, optional
+        Largest number of pixels that are computed again; by default there is no limit. Pixels
+        whose verdict is in doubt come first, those of the fastest loads before others; the rest
+        keep their error.
     seed : bool
-        Look for tongues narrower than a pixel and mark the pixels they pass through: with two
-        coordinates all that grow faster than 1e-4, of any order, down to the lowest root of the
-        resonance table; with more coordinates those of the table.
+        Whether to search for tongues narrower than a pixel, and mark the pixels through which they
+        pass. With two coordinates all tongues that grow faster than 1e-4 are found, of any order,
+        down to the lowest root of the resonance table; with more coordinates those of the table.
 
     Returns
     -------
@@ -106,7 +111,7 @@ def stability_chart(
     Raises
     ------
     ValueError
-        If an argument is not finite, out of range or not 1-d.
+        If an argument is not finite, out of range or not 1-d, or `refine` is a number.
 
     Notes
     -----
@@ -131,6 +136,12 @@ def stability_chart(
         system, static_load, pulsating_loads, excitation_frequencies
     )
     density = number("density", density, 0.3, 3.0)
+    if not isinstance(refine, (bool, np.bool_)):
+        raise ValueError(
+            f"`refine` must be True or False, got {refine!r}; `most_refined` bounds the number "
+            "of pixels"
+        )
+    most = None if most_refined is None else whole_number("most_refined", most_refined, 0)
     shape = (len(all_loads), len(all_frequencies))
     growth, error, peak = (np.full(shape, np.nan) for _ in range(3))
     refined = 0
@@ -147,7 +158,6 @@ def stability_chart(
             )
             part, slack, _ = interpolant.growth(*interpolant.on_grid(loads, periods), periods)
             if refine:
-                most = part.size if refine is True else refine
                 refined = _refine(system, static, loads, frequencies, part, slack, most)
             part[(np.abs(part) <= slack) & ~(slack * periods < NO_VERDICT)] = np.nan
         highest = _with_subpixel(part, interpolant, loads, frequencies) if seed else part
@@ -155,7 +165,7 @@ def stability_chart(
         growth[target], peak[target] = part, highest
         error[target] = np.maximum(slack, SMALLEST_GROWTH)
     with np.errstate(invalid="ignore"):
-        at_centre = growth > error
+        at_centre = is_unstable(growth, error)
         unstable = at_centre | (peak > np.maximum(growth, 0) + SMALLEST_GROWTH)
     for array in (all_loads, all_frequencies, growth, error, peak, unstable):
         array.flags.writeable = False
@@ -186,12 +196,13 @@ def _refine(
     frequencies: Array,
     growth: Array,
     error: Array,
-    most: int,
+    most: int | None,
 ) -> int:
-    """Compute doubtful pixels again, in place; return how many."""
+    """Compute the pixels with large errors again, in place; return how many were computed."""
     i, j = np.nonzero(~(error <= UNCERTAIN_PIXEL) | ~np.isfinite(growth))
     decided = np.abs(growth[i, j]) > error[i, j]
-    first = np.lexsort((j, decided))[:most]  # frequencies fall
+    # the frequencies fall
+    first = np.lexsort((j, decided))[:most]
     i, j = i[first], j[first]
     if i.size:
         again = floquet_solution(system, static, loads[i], frequencies[j])
