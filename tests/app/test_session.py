@@ -157,7 +157,7 @@ def assert_key_numbers(numbers, state):
         system = rs.lumped(rotor, state.spin_speed, tangency, *damping, stiffness=state.law)
     else:
         system = rs.finite_element(rotor, state.spin_speed, tangency, 20, 4, *damping)
-    reference = rs.critical_load(rotor.shear)
+    reference = float(rs.critical_load(rotor.shear))
     if state.reference == "flutter":
         reference = rs.flutter_load(rs.lumped(rotor, 0.0, 1.0))
     static = state.static_load_factor * reference

@@ -16,8 +16,7 @@ from app.state import State
 from app.state.address import from_arguments, to_query
 from rotorstab import floquet_multipliers, growth_rate, initial_conditions, lumped, time_response
 from rotorstab.drawing import screen
-from rotorstab.floquet import integrator as splitting
-from rotorstab.floquet import response
+from rotorstab.floquet import integrator, sampled_period
 
 UNSTABLE = {"marker": True, "marker_frequency": 1.68, "marker_factor": 0.5}
 # Bolotin's region without a tongue: the multipliers cross −1 and live
@@ -366,7 +365,7 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
 )  # fmt: skip
 def test_no_point_costs_more_than_a_bounded_number_of_steps(monkeypatch, values):
     """And where it is not shown, it is said why and what to do."""
-    spent, whole = [], splitting.segment_propagators
+    spent, whole = [], integrator.segment_propagators
 
     def counted(*arguments):
         spent.append(arguments[5] * arguments[7])
@@ -375,8 +374,8 @@ def test_no_point_costs_more_than_a_bounded_number_of_steps(monkeypatch, values)
     state = State()
     assert state.change(values | {"marker": True}) == {}
     result = solve(state, detail=Detail.COARSE)
-    monkeypatch.setattr(splitting, "segment_propagators", counted)
-    monkeypatch.setattr(response, "segment_propagators", counted)
+    monkeypatch.setattr(integrator, "segment_propagators", counted)
+    monkeypatch.setattr(sampled_period, "segment_propagators", counted)
     try:
         assert inspect(state, result).response.error < 1e-6
     except ValueError as error:
