@@ -39,7 +39,7 @@ for key, chart in charts(without=WITHOUT).items():
     for layer, look in zip(chart.layers, looks, strict=True):
         source = sources[key, layer.label] = ColumnDataSource(screen.columns(layer))
         renderer = made.add_glyph(source, look.glyph.clone())
-        if layer.kind in ("lines", "points"):
+        if layer.kind in ("lines", "outlines", "points"):
             made.add_tools(HoverTool(renderers=[renderer], tooltips="@name", visible=False))
 
 

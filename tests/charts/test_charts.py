@@ -18,13 +18,13 @@ from app.state import PRESETS, State
 from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
 from rotorstab.charts import ROLES
 from rotorstab.charts.columns import Lines, around_zero
-from rotorstab.charts.instability import _label_tongues
 from rotorstab.charts.quantities import Quantity
 from rotorstab.charts.structure import Chart, Layer
+from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
-KINDS = {"regions", "lines", "points", "labels", "map"}
+KINDS = {"regions", "outlines", "lines", "points", "labels", "map"}
 PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
 
 
@@ -47,7 +47,7 @@ def sound(chart):
         assert len({len(column) for column in layer.columns.values()}) == 1, where
         if layer.kind != "map":
             assert all(layer.columns["name"]), where
-        if layer.kind == "lines":
+        if layer.kind in ("lines", "outlines"):
             assert set(layer.columns["role"]) <= set(ROLES), where
             for xs, ys in zip(layer.columns["xs"], layer.columns["ys"], strict=True):
                 assert len(xs) == len(ys) > 1, where
@@ -185,7 +185,7 @@ def test_what_holoviews_draws_is_the_charts_own_data(key):
     assert [element.label for element in overlay] == [layer.label for layer in chart.layers]
     assert (overlay.opts["xlabel"], overlay.opts["ylabel"]) == (chart.x_label, chart.y_label)
     for layer, element in zip(chart.layers, overlay, strict=True):
-        if layer.kind == "lines":
+        if layer.kind in ("lines", "outlines"):
             paths = element.split(datatype="columns")
             for path, xs, ys in zip(paths, layer.columns["xs"], layer.columns["ys"], strict=True):
                 np.testing.assert_array_equal(path["x"], xs)
@@ -217,10 +217,10 @@ def test_the_legend_of_the_map_shows_the_colours_of_the_map():
     assert labels[:3] == ["disagreement", "growth", "Bolotin region"]
     css = (ASSETS / "page.css").read_text(encoding="utf-8")
     (stops,) = re.findall(r"--growth: linear-gradient\(to right, ([^)]*)\)", css)
-    palette = screen._GROWTH_COLOURS
+    palette = screen.GROWTH_COLOURS
     places = [0, len(palette) // 3, 2 * len(palette) // 3, -1]
     assert stops.split(", ") == [palette[place] for place in places]
-    over, under = (f"{colour}66" for colour in screen._DISAGREEMENT_COLOURS)  # 0x66 is 40 %
+    over, under = (f"{colour}66" for colour in screen.DISAGREEMENT_COLOURS)  # 0x66 is 40 %
     assert f".swatch.over {{ background: {over}; }}" in css
     assert f'[data-show_growth="false"] .swatch.under {{ background: {under}; }}' in css
 
@@ -246,10 +246,11 @@ def test_ticks_of_a_large_orbit_are_few_and_short():
     st.floats(5.0, 14.0),
 )
 def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high):
-    rows = _label_tongues([(x, "1B+1F") for x in places], (low, high), 1.0)
+    columns = tongue_labels([(x, "1B+1F") for x in places], (low, high), 1.0).columns
+    rows = list(zip(columns["x"], columns["y"], columns["side"], strict=True))
     assert len(rows) == sum(low <= x <= high for x in places)
     spans = []
-    for x, y, _, side in rows:
+    for x, y, side in rows:
         share = (x - low) / (high - low)
         start, end = (share, share + 0.2) if side == "right" else (share - 0.2, share)
         assert start >= 0

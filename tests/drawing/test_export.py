@@ -25,7 +25,7 @@ def test_csv_and_json_hold_exactly_the_plotted_arrays(number):
         assert f"#   {name} = {json.dumps(value, ensure_ascii=False)}" in comments
     for panel in figure.panels:
         assert any(
-            line.startswith(f"# panel {panel.letter}: ") and f"[{panel.x_unit}]" in line
+            line.startswith(f"# panel {panel.letter}: ") and f"[{panel.x.unit}]" in line
             for line in comments
         )
     rows = list(csv.DictReader(line for line in text.splitlines() if not line.startswith("#")))
@@ -114,8 +114,10 @@ FORMULAS += ["＝1", "\n=1", "-", "%A"]
 def test_no_text_of_a_user_is_computed_by_a_spreadsheet(text):
     figure = FIGURES[2]()
     panel = figure.panels[0]
-    named = [replace(one, name=f"{text}: {one.name}") for one in panel.series]
-    figure = replace(figure, panels=(replace(panel, series=tuple(named)),))
+    (layer,) = panel.layers
+    names = [f"{text}: {name}" for name in layer.columns["name"]]
+    renamed = replace(layer, columns={**layer.columns, "name": names})
+    figure = replace(figure, panels=(replace(panel, layers=(renamed,)),))
     written = tables.figure_csv(figure)
     rows = list(csv.DictReader(StringIO(written[written.index("panel,kind") :], newline="")))
     safe = "'" + re.sub(r"[\t\r\n]", " ", text)

@@ -98,7 +98,6 @@ def test_drawing_leaves_the_current_backend_alone():
     hv.Store.set_current_backend("bokeh")
     figure_files(replace(FIGURES[2](points=11)), ["svg"])
     assert hv.Store.current_backend == "bokeh"
-    hv.render(paper_layout(FIGURES[2](points=11), "bokeh"), backend="bokeh")
     hv.Store.set_current_backend(before)
 
 

@@ -1,26 +1,31 @@
-"""Charts as data: what is drawn, before any drawing library.
+"""Charts as data: what every picture shows, before any drawing library.
 
-A `Chart` is a frozen description (axes, layers of named columns). `plots` draws it, the
-dashboard patches its columns, a table export writes them: all three see the same arrays.
+Read `structure` first (a `Chart` is axes and layers of named columns), then the charts
+(`instability` with `tongues`, `whirl`, `stiffness`, `point`), `si` for their units, and `figure`
+for charts as panels of a figure. The live page, print and tables all see the same arrays.
 """
 
-from .as_figure import chart_figure
-from .instability import GrowthGrid, instability_chart
+from .figure import Figure, Statement, chart_figure
+from .instability import instability_chart
 from .numbers import LOAD_UNITS, load_unit, written
 from .point import marker_layer, multiplier_chart, orbit_chart, pair_layers, response_chart
 from .roles import ROLES, Role
 from .si import chart_factors, in_seconds, in_si
 from .stiffness import error_loads, stiffness_charts
-from .structure import Chart, Layer
+from .structure import Chart, Curve, Layer
+from .tongues import GrowthGrid
 from .whirl import campbell_chart, load_frequency_chart
 
 __all__ = [
     "LOAD_UNITS",
     "ROLES",
     "Chart",
+    "Curve",
+    "Figure",
     "GrowthGrid",
     "Layer",
     "Role",
+    "Statement",
     "campbell_chart",
     "chart_factors",
     "chart_figure",

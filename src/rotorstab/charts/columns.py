@@ -13,19 +13,20 @@ from ..whirl.campbell import WhirlCurves
 from .modes import Mode, modes
 from .quantities import Wording
 from .roles import ROLES
+from .structure import Layer
 
-__all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "widened"]
+__all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "points_layer", "widened"]
 
 Array = NDArray[np.float64]
 _TWIN = 1e-6  # of a frequency: two that differ from a conjugate pair by less are one
 
 
 class Lines:
-    """Collects polylines into the columns of a "lines" layer."""
+    """Collects polylines or polygons into the columns of a layer of lines, regions or outlines."""
 
     def __init__(self) -> None:
         """Start empty."""
-        keys = ("xs", "ys", "name", "role", "group", "mode", "wording")
+        keys = ("xs", "ys", "name", "role", "group", "mode", "wording", "pair", "order")
         self.columns: dict[str, list[Any]] = {key: [] for key in keys}
 
     def add(
@@ -36,8 +37,10 @@ class Lines:
         role: str,
         group: str | None = None,
         mode: Mode | None = None,
+        pair: str = "",
+        order: int = 0,
     ) -> None:
-        """Add one polyline.
+        """Add one polyline or polygon.
 
         Parameters
         ----------
@@ -50,10 +53,12 @@ class Lines:
             Its entry in a printed legend, by default the meaning of its role.
         mode : Mode, optional
             The whirl mode that it follows.
+        pair, order
+            Of a tongue: see `Curve`.
         """
         group = ROLES[role].meaning if group is None else group
         wording = name if isinstance(name, Wording) else None
-        row = (xs, ys, str(name), role, group, mode, wording)
+        row = (xs, ys, str(name), role, group, mode, wording, pair, order)
         for column, value in zip(self.columns.values(), row, strict=True):
             column.append(value)
 
@@ -120,6 +125,28 @@ def mark_columns(rows: Sequence[tuple[Any, ...]], *extra: str) -> dict[str, Sequ
         "wording": [name if isinstance(name, Wording) else None for name in names],
     }
     return result | dict(zip(extra, others, strict=True))
+
+
+def points_layer(
+    label: str,
+    rows: Sequence[tuple[float, float, str | Wording]],
+    group: str | None = None,
+    role: str = "current",
+) -> Layer:
+    """Return a layer of points from rows (x, y, name).
+
+    Parameters
+    ----------
+    label : str
+    rows : sequence of (float, float, str or Wording)
+    group : str, optional
+        Their entry in a printed legend, by default the label.
+    role : str
+        A key of `ROLES`, for their look in print.
+    """
+    group = label if group is None else group
+    extra = {"role": [role] * len(rows), "group": [group] * len(rows)}
+    return Layer("points", label, mark_columns(rows) | extra)
 
 
 def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:

@@ -1,44 +1,16 @@
-"""What a figure is, as data: panels of named arrays, parameters and a reading."""
+"""What a figure is, as data: charts as its panels, parameters, and a reading."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
-from string import ascii_lowercase
-from typing import Literal, TypeVar, cast
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from .quantities import GROWTH, GROWTH_SI, Quantity
+from .structure import Chart, Curve, Layer
 
-from ..rotors.shaft_disk import ShaftDisk
-from .modes import Mode
-from .roles import Style
+__all__ = ["Figure", "Statement", "Value", "Verdict", "chart_figure", "growth_layer", "growth_of"]
 
-__all__ = [
-    "LOAD_KINDS",
-    "Figure",
-    "Grid",
-    "Label",
-    "Mark",
-    "Panel",
-    "Region",
-    "Series",
-    "Statement",
-    "Value",
-    "Verdict",
-    "lettered",
-    "parameters",
-    "styled",
-]
-
-Array = NDArray[np.float64]
-T = TypeVar("T")
-
-LOAD_KINDS: tuple[tuple[str, Style, float], ...] = (
-    ("axial force", "solid", 0.0),
-    ("follower force", "dashed", 1.0),
-)
-"""Both kinds of load: name, line style and tangency μ."""
 Verdict = Literal[
     "agree",
     "differ",
@@ -50,171 +22,9 @@ Verdict = Literal[
 Value = float | str | list[float] | None
 
 
-def _frozen(values: ArrayLike) -> Array:
-    """Return a read-only copy."""
-    array = np.array(values, dtype=np.float64)
-    array.flags.writeable = False
-    return array
-
-
-@dataclass(frozen=True, eq=False)
-class Series:
-    """One line of a panel.
-
-    Parameters
-    ----------
-    name : str
-        Unique in its panel.
-    group : str
-        The variant it belongs to: one legend entry.
-    style : {"solid", "dashed", "dashdot", "dotted"}
-        As in the paper's caption; dotted are complex pairs, which the paper does not mark.
-    x, y : (m,) float
-        NaN where the line has a gap; a single point is drawn as a mark.
-    color : str, optional
-        Where the style alone does not tell groups apart; by default the style's own.
-    mode : Mode, optional
-        The whirl mode that the line follows.
-    """
-
-    name: str
-    group: str
-    style: Style
-    x: Array
-    y: Array
-    color: str | None = None
-    mode: Mode | None = None
-
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        object.__setattr__(self, "x", _frozen(self.x))
-        object.__setattr__(self, "y", _frozen(self.y))
-
-
-@dataclass(frozen=True, eq=False)
-class Region:
-    """One shaded polygon (x, y), each (m,) float, closed from last to first point.
-
-    The first half of the points goes up its left edge, the second down its right one. A tongue
-    has the name of its `pair` of modes and its `order`; others have neither.
-    """
-
-    name: str
-    group: str
-    style: Style
-    x: Array
-    y: Array
-    pair: str = ""
-    order: int = 0
-
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        object.__setattr__(self, "x", _frozen(self.x))
-        object.__setattr__(self, "y", _frozen(self.y))
-
-
-@dataclass(frozen=True, eq=False)
-class Grid:
-    """Values on the pixels of a panel; a pixel is drawn where its value is above 0.
-
-    Parameters
-    ----------
-    name, unit : str
-        What the values are.
-    x : (C,) float
-        Pixel centres.
-    y : (R,) float
-        Pixel centres.
-    values : (R, C) float
-    """
-
-    name: str
-    unit: str
-    x: Array
-    y: Array
-    values: Array
-
-    def __post_init__(self) -> None:
-        """Make the arrays read-only."""
-        for field in ("x", "y", "values"):
-            object.__setattr__(self, field, _frozen(getattr(self, field)))
-
-
-@dataclass(frozen=True)
-class Label:
-    """A text at a point of a line; `low` puts it below the point."""
-
-    x: float
-    y: float
-    text: str
-    low: bool = False
-
-
-@dataclass(frozen=True)
-class Mark:
-    """A text at a point: the name of a tongue; vertical texts run upwards."""
-
-    x: float
-    y: float
-    text: str
-    vertical: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class Panel:
-    """One part of a figure.
-
-    Parameters
-    ----------
-    letter, title : str
-        Such as "a" and "Ω̄ = 0".
-    x_label, y_label : str
-        Symbols.
-    x_unit, y_unit : str
-        "-" where there is none.
-    series, regions : tuple
-        What is drawn.
-    labels : tuple of Label
-        Names of lines.
-    x_range, y_range : (float, float)
-        Of the axes.
-    unstable : tuple of Region
-        Where Floquet finds the rotor unstable; `regions` are Bolotin's.
-    marks : tuple of Mark
-        Names of tongues.
-    grid : Grid, optional
-        A map below everything else.
-    """
-
-    letter: str
-    title: str
-    x_label: str
-    y_label: str
-    x_unit: str
-    y_unit: str
-    series: tuple[Series, ...]
-    x_range: tuple[float, float]
-    y_range: tuple[float, float]
-    regions: tuple[Region, ...] = ()
-    labels: tuple[Label, ...] = ()
-    unstable: tuple[Region, ...] = ()
-    marks: tuple[Mark, ...] = ()
-    grid: Grid | None = None
-
-    def group(self, name: str) -> tuple[Series, ...]:
-        """Return the series of one group."""
-        return tuple(line for line in self.series if line.group == name)
-
-    def boundary(self, group: str, mode: str) -> Series:
-        """Return the line of a group that follows one mode, such as "1F"."""
-        return next(
-            line for line in self.group(group) if line.mode is not None and line.mode.name == mode
-        )
-
-
 @dataclass(frozen=True)
 class Statement:
-    """One thing that the text says of a figure, against our numbers.
+    """One thing that a text says of a figure, compared with our numbers.
 
     Parameters
     ----------
@@ -236,17 +46,17 @@ class Statement:
 
 @dataclass(frozen=True, eq=False)
 class Figure:
-    """A figure of the paper, computed.
+    """One chart or several, with what made them and what is read from them.
 
     Parameters
     ----------
     number : int
-        2 to 9, or 0 for one that is not in the paper.
+        Of a figure of the paper, 2 to 9; 0 for any other.
     title, caption : str
         What it shows; the caption names the line styles.
     parameters : mapping
         Plain values that made it.
-    panels : tuple of Panel
+    panels : tuple of Chart
     reading : tuple of Statement
         What the text says of it, with our numbers, computed from these very arrays.
     """
@@ -255,10 +65,15 @@ class Figure:
     title: str
     caption: str
     parameters: Mapping[str, Value]
-    panels: tuple[Panel, ...]
+    panels: tuple[Chart, ...]
     reading: tuple[Statement, ...] = ()
 
-    def panel(self, letter: str) -> Panel:
+    @property
+    def heading(self) -> str:
+        """The title, after the number of a figure of the paper."""
+        return f"Figure {self.number}. {self.title}" if self.number else self.title
+
+    def panel(self, letter: str) -> Chart:
         """Return the panel of that letter."""
         return next(panel for panel in self.panels if panel.letter == letter)
 
@@ -267,29 +82,59 @@ class Figure:
         """Whether it shows what Floquet finds unstable."""
         return any(panel.unstable for panel in self.panels)
 
-    def groups(self) -> dict[str, Series]:
-        """Return one line of every group, in the order of drawing, dotted last."""
-        lines = {one.group: one for panel in self.panels for one in panel.series}
-        return dict(sorted(lines.items(), key=lambda item: item[1].style == "dotted"))
+    def groups(self) -> dict[str, Curve]:
+        """Return one line or point of every group, in the order of drawing, dotted last."""
+        curves = {curve.group: curve for panel in self.panels for curve in panel.series}
+        return dict(sorted(curves.items(), key=lambda item: item[1].style == "dotted"))
+
+    def plot(self) -> Any:
+        """Return the figure as a HoloViews object, for a notebook.
+
+        Call ``holoviews.extension("bokeh")`` once in the notebook.
+
+        Returns
+        -------
+        holoviews.Layout
+            The panels in at most three columns; see `Chart.plot`.
+
+        Raises
+        ------
+        ImportError
+            If HoloViews or Bokeh is not installed; the message says how to install them.
+        """
+        from ..drawing.notebook import notebook_layout
+
+        return notebook_layout(self)
 
 
-def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
-    """Return a rotor's fields and other plain values as one mapping."""
-    return {**asdict(rotor), **others}
+def growth_layer(chart: Chart) -> Layer | None:
+    """Return the map of growth of a chart, None where it has none."""
+    return next((layer for layer in chart.of_kind("map") if layer.quantity is not None), None)
 
 
-def _paired(name: str, keys: Sequence[str], values: Sequence[T]) -> list[tuple[str, T]]:
-    """Return each value with a key of its own; ValueError where there are too many or none."""
-    if not 1 <= len(values) <= len(keys):
-        raise ValueError(f"`{name}` must have 1 to {len(keys)} values, got {len(values)}")
-    return list(zip(keys[: len(values)], values, strict=True))
+def growth_of(chart: Chart) -> Quantity:
+    """Return the growth rate in the units of a chart."""
+    return GROWTH_SI if chart.in_si else GROWTH
 
 
-def lettered(name: str, values: Sequence[T]) -> list[tuple[str, T]]:
-    """Return the values of an argument, 1 to 26, with the letters of their panels."""
-    return _paired(name, ascii_lowercase, values)
+def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
+    """Return a live chart as a figure of one panel, for print and for tables.
 
+    Parameters
+    ----------
+    chart : Chart
+    parameters : mapping
+        Plain values that made it; they are written into tables.
 
-def styled(name: str, values: Sequence[T]) -> list[tuple[Style, T]]:
-    """Return the values of an argument, 1 to 3, with their line styles."""
-    return cast("list[tuple[Style, T]]", _paired(name, ("solid", "dashed", "dashdot"), values))
+    Returns
+    -------
+    Figure
+        Number 0. Its title gives the largest growth, where pixels and not edges show it.
+    """
+    title, growth = chart.title, growth_layer(chart)
+    if growth is not None and not chart.unstable:
+        quantity = growth_of(chart)
+        unit = f" {quantity.unit}" if chart.in_si else ""
+        largest = growth.columns["rate"][0].max()
+        title += f". Pixels: {quantity.label(with_unit=False)} up to {largest:.3g}{unit}"
+    return Figure(0, title, "", dict(parameters), (chart,))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from .._tolerances import OUTSIDE_UNIT_CIRCLE
 from ..floquet.response import TimeResponse
-from .columns import Lines, mark_columns
+from .columns import Lines, points_layer
 from .quantities import EXCITATION, WHIRL, Amount, Quantity, Wording
 from .structure import Chart, Layer
 
@@ -58,9 +60,9 @@ def multiplier_chart(multipliers: Complex) -> Chart:
         y_range=(-reach, reach),
         layers=(
             Layer("lines", "circle", lines.columns),
-            Layer("points", "minus one", mark_columns([(-1.0, 0.0, "−1: Bolotin watches here")])),
-            Layer("points", "multipliers", mark_columns(within)),
-            Layer("points", "growing multipliers", mark_columns(out)),
+            points_layer("minus one", [(-1.0, 0.0, "−1: Bolotin watches here")]),
+            points_layer("multipliers", within),
+            points_layer("growing multipliers", out),
         ),
         square=True,
     )
@@ -107,16 +109,20 @@ def orbit_chart(motion: TimeResponse) -> Chart:
         y_range=(-reach, reach),
         layers=(
             Layer("lines", "orbit", lines.columns),
-            Layer("points", "start", mark_columns(ends[:1])),
-            Layer("points", "end", mark_columns(ends[1:])),
+            points_layer("start", ends[:1]),
+            points_layer("end", ends[1:]),
         ),
         square=True,
     )
 
 
+def _marker(rows: Sequence[tuple[float, float, str | Wording]]) -> Layer:
+    return points_layer("marker", rows, "marked point", "marker")
+
+
 def marker_layer(x: float, y: float) -> Layer:
     """Return the marker of the point that is looked into."""
-    return Layer("points", "marker", mark_columns([(x, y, "the point looked into")]))
+    return _marker([(x, y, "the point looked into")])
 
 
 def pair_layers(x: float, pair: tuple[float, float], name: str, excitation: float) -> list[Layer]:
@@ -141,5 +147,5 @@ def pair_layers(x: float, pair: tuple[float, float], name: str, excitation: floa
     rows = [(x, end, Wording(f"{name}: {{}}", (Amount(WHIRL, end, 5),))) for end in (low, high)]
     return [
         Layer("lines", "marker ruler", lines.columns),
-        Layer("points", "marker", mark_columns(rows)),
+        _marker(rows),
     ]

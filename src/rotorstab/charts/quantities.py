@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 __all__ = [
     "EXCITATION",
+    "EXCITATION_RATIO",
     "GROWTH",
     "GROWTH_PER_PERIOD",
+    "GROWTH_SI",
     "LOAD",
+    "LOAD_FACTOR",
     "SPIN",
     "WHIRL",
     "Amount",
@@ -56,8 +59,11 @@ LOAD = Quantity("steady load", "p̄", "EI/L²")
 SPIN = Quantity("spin speed", "Ω̄", _FREQUENCY)
 WHIRL = Quantity("whirl frequency", "ω̄", _FREQUENCY)
 EXCITATION = Quantity("excitation frequency", "θ̄", _FREQUENCY)
+EXCITATION_RATIO = Quantity("excitation frequency", "θ/ωₙ")
+LOAD_FACTOR = Quantity("dynamic load factor", "β_d")
 GROWTH = Quantity("growth rate", "σ̄", _FREQUENCY)
 GROWTH_PER_PERIOD = Quantity("growth per period", "σ̄T")
+GROWTH_SI = Quantity("growth rate", "σ", "1/s")
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,8 @@ class Role:
         The text of a legend; empty where the legend names the line's own group.
     style : {"solid", "dashed", "dashdot", "dotted"}
         The line style in print and in tables.
+    printed : str
+        Its colour on white paper, where that is another one.
     """
 
     color: str
@@ -36,6 +38,12 @@ class Role:
     width: float
     meaning: str
     style: Style = "solid"
+    printed: str = ""
+
+    @property
+    def print_color(self) -> str:
+        """Its colour on white paper."""
+        return self.printed or self.color
 
 
 # Okabe–Ito hues, each at least 3:1 on both the light and the dark ground
@@ -50,7 +58,7 @@ ROLES: Mapping[str, Role] = {
     ),
     "axial exact": Role("#1f7fbf", "12 3 2 3", 2.0, "axial, exact stiffness", "dashdot"),
     "follower exact": Role("#cf5a12", "2 4 8 4", 1.6, "follower, exact stiffness", "dashdot"),
-    "edge": Role("#9a4fd0", "solid", 1.3, "edge of a tongue (Floquet)"),
+    "edge": Role("#9a4fd0", "solid", 1.3, "edge of a tongue (Floquet)", printed="#0072B2"),
     "growing": Role("#a8518a", "2 4", 2.6, "Re ω̄ of a whirl that grows", "dotted"),
     "synchronous": Role("#80868f", "8 4 2 4", 1.4, "synchronous, |ω̄| = Ω̄", "dashdot"),
     "current": Role("#0f8a6a", "solid", 1.8, "present setting"),
@@ -69,4 +77,9 @@ ROLES: Mapping[str, Role] = {
     "pin 2": Role("#9a7b00", "7 3", 1.6, "second pin", "dashdot"),
     "pin 3": Role("#2f8f8f", "7 3 2 3", 1.6, "third pin", "dashdot"),
     "limit": Role("#80868f", "9 5", 1.4, "buckling or flutter load", "dashed"),
+    # variants of a figure of the paper: the style alone tells them apart in grey print
+    "solid": Role("#0072B2", "solid", 2.0, ""),
+    "dashed": Role("#D55E00", "8 4", 2.0, "", "dashed"),
+    "dashdot": Role("#00795A", "9 3 2 3", 2.0, "", "dashdot"),
+    "dotted": Role("#7A3E73", "2 2", 2.0, "", "dotted"),
 }

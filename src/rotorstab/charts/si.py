@@ -11,7 +11,17 @@ import numpy as np
 
 from ..rotors.shaft_disk import Scales
 from .numbers import LOAD_UNITS, load_unit, written
-from .quantities import EXCITATION, GROWTH, GROWTH_PER_PERIOD, LOAD, SPIN, WHIRL, Amount, Quantity
+from .quantities import (
+    EXCITATION,
+    GROWTH,
+    GROWTH_PER_PERIOD,
+    GROWTH_SI,
+    LOAD,
+    SPIN,
+    WHIRL,
+    Amount,
+    Quantity,
+)
 from .structure import Chart, Layer
 
 __all__ = ["chart_factors", "in_seconds", "in_si"]
@@ -35,7 +45,7 @@ def _in_si(scales: Scales, unit: str) -> dict[Quantity, _Scaled]:
         SPIN: _Scaled(Quantity("spin speed", "Ω", "rpm"), 60 * hertz),
         WHIRL: _Scaled(Quantity("whirl frequency", "ω/2π", "Hz"), hertz),
         EXCITATION: _Scaled(Quantity("excitation frequency", "θ/2π", "Hz"), hertz),
-        GROWTH: _Scaled(Quantity("growth rate", "σ", "1/s"), scales.frequency),
+        GROWTH: _Scaled(GROWTH_SI, scales.frequency),
         GROWTH_PER_PERIOD: _Scaled(Quantity("growth per period", "σT"), 1.0),
     }
 

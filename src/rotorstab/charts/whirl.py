@@ -8,7 +8,7 @@ import numpy as np
 
 from ..whirl.campbell import WhirlCurves
 from ..whirl.critical_speeds import CriticalSpeeds
-from .columns import Lines, around_zero, label_columns, mark_columns
+from .columns import Lines, around_zero, label_columns, points_layer
 from .modes import modes
 from .quantities import LOAD, SPIN, WHIRL, Amount, Wording
 from .structure import Chart, Layer
@@ -142,7 +142,7 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
         layers=(
             Layer("lines", "whirl", lines.columns),
             Layer("lines", "marks", marks.columns),
-            Layer("points", "critical speeds", mark_columns(points)),
+            points_layer("critical speeds", points, "critical speed"),
             Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "upper left"))),
         ),
     )

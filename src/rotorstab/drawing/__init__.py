@@ -1,4 +1,5 @@
 """Pictures and tables: on the screen and in print through HoloViews, and as CSV and JSON.
 
-The only folder that imports HoloViews, and only in `screen` and `printed`.
+`screen` draws a `Chart` with Bokeh, `notebook` the same with title and legend, `printed` draws a
+`Figure` with Matplotlib, `tables` writes it. Only this folder imports HoloViews, and not `tables`.
 """

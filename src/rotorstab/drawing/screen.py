@@ -1,7 +1,7 @@
-"""Charts drawn with HoloViews, for the dashboard (Bokeh), notebooks and print (Matplotlib).
+"""Charts drawn with HoloViews and Bokeh, for the dashboard; `notebook` adds title and legend.
 
-The only module here that imports HoloViews. `element` draws any `charts.Chart`; `columns`
-gives what a drawn layer's data source holds, so that a live chart is patched, not rebuilt.
+`element` draws any `charts.Chart`; `columns` gives what a drawn layer's data source holds, so
+that a live chart is patched and not drawn again.
 """
 
 from __future__ import annotations
@@ -22,7 +22,14 @@ except ImportError as error:
 
 from ..charts import ROLES, Chart, Layer
 
-__all__ = ["POINT_LOOKS", "columns", "element", "hover_names"]
+__all__ = [
+    "DISAGREEMENT_COLOURS",
+    "GROWTH_COLOURS",
+    "POINT_LOOKS",
+    "columns",
+    "element",
+    "hover_names",
+]
 
 
 _SIDES: Mapping[str, Mapping[str, Any]] = {
@@ -31,6 +38,11 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "upper left": {"align": "right", "baseline": "bottom", "dx": -4, "dy": -2},
     "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
     "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
+    "lower right": {"align": "left", "baseline": "top", "dx": 5, "dy": 2},
+    "above left": {"align": "right", "baseline": "top", "dx": -1, "dy": 2},
+    "above right": {"align": "left", "baseline": "top", "dx": 1, "dy": 2},
+    "foot": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
+    "upright": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
 }
 _DIAMOND = {"marker": "diamond", "size": 10, "color": ROLES["current"].color, "line_color": "white"}
 # by the label of the layer; shape and filling tell what the colour tells
@@ -54,8 +66,8 @@ POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
         "line_width": 3,
     },
 }
-_GROWTH_COLOURS = list(Plasma256[30:236])
-_DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
+GROWTH_COLOURS = list(Plasma256[30:236])
+DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
 
@@ -71,7 +83,7 @@ def columns(layer: Layer) -> dict[str, Any]:
             "ys": [[[y]] for y in data["ys"]],
             "name": list(data["name"]),
         }
-    if layer.kind == "lines":
+    if layer.kind in ("lines", "outlines"):
         roles = [ROLES[role] for role in data["role"]]
         return {
             "xs": list(data["xs"]),
@@ -211,7 +223,7 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
     growth = layer.label == "growth"
     return image.opts(
         hv.opts.Image(
-            cmap=_GROWTH_COLOURS if growth else _DISAGREEMENT_COLOURS,
+            cmap=GROWTH_COLOURS if growth else DISAGREEMENT_COLOURS,
             clim=(0.0, 1.0),
             colorbar=growth,
             colorbar_position="right",
@@ -267,7 +279,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
                 backend="bokeh",
             )
         )
-    if layer.kind == "lines":
+    if layer.kind in ("lines", "outlines"):
         extra = ["name", "color", "dash", "width"]
         rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
         paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]
@@ -313,6 +325,7 @@ def element(chart: Chart) -> hv.Overlay:
     holoviews.Overlay
         Styled for the Bokeh backend; axis labels are the paper's symbols.
     """
+    hv.renderer("bokeh")  # loads it where it is not, and leaves the current one current
     return hv.Overlay([_draw(chart, layer) for layer in chart.layers]).opts(
         hv.opts.Overlay(
             title="",

@@ -17,8 +17,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..paper import Figure, Grid, Panel, Region, Series, Table
+from ..charts import Chart, Curve, Figure, Layer
+from ..charts.figure import growth_layer, growth_of
+from ..charts.structure import pixel_centres
+from ..paper import Table
 
 __all__ = [
     "columns_csv",
@@ -30,6 +34,8 @@ __all__ = [
     "write_file",
 ]
 
+
+Array = NDArray[np.float64]
 
 # what a formula or a command of a spreadsheet begins with, at full width too
 _COMPUTED = frozenset("=+-@|%＝＋－＠")
@@ -136,10 +142,6 @@ def _numbers(values: Iterable[float]) -> list[float | None]:
     return [float(value) if math.isfinite(value) else None for value in values]
 
 
-def _heading(figure: Figure) -> str:
-    return f"Figure {figure.number}. {figure.title}" if figure.number else figure.title
-
-
 def figure_csv(figure: Figure) -> str:
     """Return a figure's plotted arrays as CSV text.
 
@@ -157,66 +159,90 @@ def figure_csv(figure: Figure) -> str:
     """
     details = [figure.caption]
     details += [
-        f"panel {panel.letter}: {panel.title}; x = {panel.x_label} [{panel.x_unit}], "
-        f"y = {panel.y_label} [{panel.y_unit}]"
+        f"panel {panel.letter}: {panel.title}; x = {panel.x.symbol} [{panel.x.unit}], "
+        f"y = {panel.y.symbol} [{panel.y.unit}]"
         for panel in figure.panels
     ]
     rows = (
-        (panel.letter, kind, one.name, one.style, x, y)
+        (panel.letter, kind, curve.name, curve.style, x, y)
         for panel in figure.panels
-        for kind, ones in (
-            ("line", panel.series),
-            ("region", panel.regions),
-            ("unstable", panel.unstable),
-        )
-        for one in ones
-        for x, y in zip(one.x, one.y, strict=True)
+        for kind, curves in _curves(panel)
+        for curve in curves
+        for x, y in zip(*_points(curve, kind), strict=True)
     )
-    head = _comments(_heading(figure), details, figure.parameters)
+    head = _comments(figure.heading, details, figure.parameters)
     header: tuple[str, ...] = ("panel", "kind", "name", "style", "x", "y")
-    grids = [(panel.letter, panel.grid) for panel in figure.panels if panel.grid is not None]
-    if not grids:
+    maps = [(panel, layer) for panel in figure.panels if (layer := growth_layer(panel))]
+    if not maps:
         return head + _csv_rows(header, rows)
     pixels = (
-        (letter, "map", f"{grid.name} [{grid.unit}]", "", x, y, value)
-        for letter, grid in grids
-        for y, row in zip(grid.y, grid.values, strict=True)
-        for x, value in zip(grid.x, row, strict=True)
+        (panel.letter, "map", _growth_name(panel), "", x, y, value)
+        for panel, layer in maps
+        for (x, y), value in _pixels(layer)
     )
     wider = ((*row, math.nan) for row in rows)
     return head + _csv_rows((*header, "value"), (row for part in (wider, pixels) for row in part))
 
 
-def _curve(one: Series | Region) -> dict[str, Any]:
+def _curves(panel: Chart) -> tuple[tuple[str, tuple[Curve, ...]], ...]:
+    """Return the kinds of curves of a panel, as tables name them."""
+    return ("line", panel.series), ("region", panel.regions), ("unstable", panel.unstable)
+
+
+def _points(curve: Curve, kind: str) -> tuple[Array, Array]:
+    """Return a curve's points; an outline is written as a polygon without gaps."""
+    return curve.polygon if kind == "unstable" else (curve.x, curve.y)
+
+
+def _growth_name(panel: Chart) -> str:
+    quantity = growth_of(panel)
+    return f"{quantity.label(with_unit=False)} [{quantity.unit}]"
+
+
+def _pixels(layer: Layer) -> Iterable[tuple[tuple[float, float], float]]:
+    """Return centre and growth rate of every pixel of a map, row by row."""
+    xs, ys = pixel_centres(layer)
+    for y, row in zip(ys, np.asarray(layer.columns["rate"][0], float), strict=True):
+        for x, value in zip(xs, row, strict=True):
+            yield (x, y), value
+
+
+def _json_curve(curve: Curve, kind: str) -> dict[str, Any]:
+    x, y = _points(curve, kind)
     return {
-        "name": one.name,
-        "group": one.group,
-        "style": one.style,
-        "x": _numbers(one.x),
-        "y": _numbers(one.y),
+        "name": curve.name,
+        "group": curve.group,
+        "style": curve.style,
+        "x": _numbers(x),
+        "y": _numbers(y),
     }
 
 
-def _grid(grid: Grid) -> dict[str, Any]:
+def _json_map(panel: Chart, layer: Layer) -> dict[str, Any]:
+    quantity = growth_of(panel)
+    x, y = pixel_centres(layer)
     return {
-        "name": grid.name,
-        "unit": grid.unit,
-        "x": _numbers(grid.x),
-        "y": _numbers(grid.y),
-        "values": [_numbers(row) for row in grid.values],
+        "name": quantity.label(with_unit=False),
+        "unit": quantity.unit,
+        "x": _numbers(x),
+        "y": _numbers(y),
+        "values": [_numbers(row) for row in np.asarray(layer.columns["rate"][0], float)],
     }
 
 
-def _panel(panel: Panel) -> dict[str, Any]:
+def _json_panel(panel: Chart) -> dict[str, Any]:
+    keys = {"line": "lines", "region": "regions", "unstable": "unstable"}
+    growth = growth_layer(panel)
     return {
         "letter": panel.letter,
         "title": panel.title,
-        "x": {"label": panel.x_label, "unit": panel.x_unit, "range": list(panel.x_range)},
-        "y": {"label": panel.y_label, "unit": panel.y_unit, "range": list(panel.y_range)},
-        "lines": [_curve(one) for one in panel.series],
-        "regions": [_curve(one) for one in panel.regions],
-        "unstable": [_curve(one) for one in panel.unstable],
-        **({} if panel.grid is None else {"map": _grid(panel.grid)}),
+        "x": {"label": panel.x.symbol, "unit": panel.x.unit, "range": list(panel.x_range)},
+        "y": {"label": panel.y.symbol, "unit": panel.y.unit, "range": list(panel.y_range)},
+        **{
+            keys[kind]: [_json_curve(curve, kind) for curve in curves]
+            for kind, curves in _curves(panel)
+        },
+        **({} if growth is None else {"map": _json_map(panel, growth)}),
     }
 
 
@@ -228,10 +254,15 @@ def figure_json(figure: Figure) -> str:
             "title": figure.title,
             "caption": figure.caption,
             "parameters": dict(figure.parameters),
-            "panels": [_panel(panel) for panel in figure.panels],
+            "panels": [_json_panel(panel) for panel in figure.panels],
             "reading": [
-                {"text": one.text, "ours": one.ours, "verdict": one.verdict, "note": one.note}
-                for one in figure.reading
+                {
+                    "text": statement.text,
+                    "ours": statement.ours,
+                    "verdict": statement.verdict,
+                    "note": statement.note,
+                }
+                for statement in figure.reading
             ],
         }
     )

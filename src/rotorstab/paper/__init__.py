@@ -1,14 +1,24 @@
-"""Every figure of the paper as data, with what the text says of it."""
+"""Every figure of the paper as data, with what the text says of it.
+
+One file a figure: its arrays, and both readings of the text, against the paper's own method and
+against Floquet. `region_figure` makes the panels that Figs 4 to 7 and 9 have in common. Then come
+`table_1`, the conclusions, and `published` values with `validation`, the document of all of it.
+"""
 
 from collections.abc import Callable
 
-from ..charts.figure import Figure, Grid, Mark, Panel, Region, Series, Statement
-from .coefficients import figure_2, figure_3
+from ..charts.figure import Figure, Statement
 from .conclusions import CONCLUSIONS
+from .figure_2_axial_coefficients import figure_2
+from .figure_3_follower_coefficients import figure_3
+from .figure_4_finite_elements import figure_4
+from .figure_5_shear import figure_5
+from .figure_6_axial_load import figure_6
+from .figure_7_follower_load import figure_7
+from .figure_8_load_frequency import figure_8
+from .figure_9_load_type import figure_9
 from .floquet_conclusions import FLOQUET_CONCLUSIONS
-from .load_frequency import figure_8
 from .own_rotor import own_regions
-from .regions import figure_4, figure_5, figure_6, figure_7, figure_9
 from .table_1 import Row, Table, table_1
 
 __all__ = [
@@ -17,12 +27,7 @@ __all__ = [
     "FLOQUET_CONCLUSIONS",
     "FLOQUET_FIGURES",
     "Figure",
-    "Grid",
-    "Mark",
-    "Panel",
-    "Region",
     "Row",
-    "Series",
     "Statement",
     "Table",
     "figure_2",

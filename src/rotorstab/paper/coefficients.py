@@ -1,109 +1,64 @@
-"""Figures 2 and 3: exact against linear stiffness influence coefficients."""
+"""Exact against linear stiffness influence coefficients: what Figs 2 and 3 have in common."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..charts.figure import Array, Figure, Panel, Series, lettered, parameters
+from ..charts.columns import Lines
+from ..charts.quantities import LOAD, Quantity
+from ..charts.stiffness import ENTRIES
+from ..charts.structure import Chart, Layer
 from ..model.stiffness import exact_stiffness, linear_stiffness
-from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
-from ..whirl.critical_loads import beck_load, critical_load
-from .readings import read_figure_2, read_figure_3
+from .arguments import lettered
+from .verdicts import percent
 
-__all__ = ["figure_2", "figure_3"]
+__all__ = ["CLOSE", "coefficient_charts", "coefficient_errors", "largest_error"]
 
-_NAMES = (("k̄₁₁", "k̄₁₂"), ("k̄₂₁", "k̄₂₂"))
-_UNITS = (("EI/L³", "EI/L²"), ("EI/L²", "EI/L"))
+CLOSE = 0.05
+"""Of a coefficient's own change over the interval: below this the linear law is "very close"."""
 
 
-def _panels(
-    loads: Array, shear: float, tangency: float, entries: tuple[tuple[str, int, int], ...]
-) -> tuple[Panel, ...]:
+def coefficient_charts(
+    loads: NDArray[np.float64],
+    shear: float,
+    tangency: float,
+    entries: tuple[tuple[str, int, int], ...],
+) -> tuple[Chart, ...]:
     """Return one panel an entry (title, row, column)."""
     exact = exact_stiffness(loads, shear, tangency)
     elastic, geometric = linear_stiffness(shear, tangency)
     linear = elastic + loads[:, None, None] * geometric
+    symbols = {(i, j): (name, unit) for i, j, name, unit in ENTRIES}
     panels = []
     for letter, (title, i, j) in lettered("entries", entries):
+        name, unit = symbols[i, j]
         pair = np.stack([exact[:, i, j], linear[:, i, j]])
         margin = 0.06 * float(np.ptp(pair))
+        lines = Lines()
+        lines.add(loads, pair[0], f"{name} exact", "solid", "exact")
+        lines.add(loads, pair[1], f"{name} linear", "dashed", "linear")
         panels.append(
-            Panel(
+            Chart(
+                key=letter,
                 letter=letter,
                 title=title,
-                x_label="p̄",
-                y_label=title,
-                x_unit="EI/L²",
-                y_unit=_UNITS[i][j],
-                series=(
-                    Series(f"{_NAMES[i][j]} exact", "exact", "solid", loads, pair[0]),
-                    Series(f"{_NAMES[i][j]} linear", "linear", "dashed", loads, pair[1]),
-                ),
+                x=LOAD,
+                y=Quantity("", title, unit),
                 x_range=(float(loads[0]), float(loads[-1])),
                 y_range=(float(pair.min()) - margin, float(pair.max()) + margin),
+                layers=(Layer("lines", "coefficient", lines.columns),),
             )
         )
     return tuple(panels)
 
 
-def figure_2(rotor: ShaftDisk = BASE_CASE, points: int = 201) -> Figure:
-    """Return Fig. 2: coefficients under an axial load, −p̄_cr to p̄_cr.
-
-    Parameters
-    ----------
-    rotor : ShaftDisk
-        Only its shear parameter matters.
-    points : int
-        Loads.
-
-    Returns
-    -------
-    Figure
-        Panels (a) k̄₁₁, (b) k̄₁₂ = k̄₂₁, (c) k̄₂₂.
-    """
-    largest = float(critical_load(rotor.shear))
-    loads = np.linspace(-largest, largest, points)
-    entries = (("k̄₁₁", 0, 0), ("k̄₁₂ = k̄₂₁", 0, 1), ("k̄₂₂", 1, 1))
-    panels = _panels(loads, rotor.shear, 0.0, entries)
-    return Figure(
-        number=2,
-        title="Stiffness influence coefficients under an axial load",
-        caption="Solid: exact (Appendix A). Dashed: linear (Appendix B).",
-        parameters={"shear": rotor.shear, "tangency": 0.0, "critical_load": largest},
-        panels=panels,
-        reading=read_figure_2(panels),
-    )
+def largest_error(panel: Chart) -> float:
+    """Return the largest |linear − exact| over the exact one's change in the interval."""
+    exact, linear = panel.series
+    return float(np.abs(linear.y - exact.y).max() / np.ptp(exact.y))
 
 
-def figure_3(rotor: ShaftDisk = BASE_CASE, points: int = 201) -> Figure:
-    """Return Fig. 3: coefficients under a follower load, to ± the shaft's flutter load.
-
-    Parameters
-    ----------
-    rotor : ShaftDisk
-        Its shear parameter, and its slenderness for the flutter load.
-    points : int
-        Loads.
-
-    Returns
-    -------
-    Figure
-        Panels (a) k̄₁₁, (b) k̄₁₂, (c) k̄₂₁, (d) k̄₂₂.
-
-    Notes
-    -----
-    The exact static coefficients stay finite here: their pole, where the clamped–clamped
-    shaft buckles, lies beyond the flutter load.
-    """
-    largest = beck_load(rotor.shear, rotor.slenderness)
-    loads = np.linspace(-largest, largest, points)
-    entries = (("k̄₁₁", 0, 0), ("k̄₁₂", 0, 1), ("k̄₂₁", 1, 0), ("k̄₂₂", 1, 1))
-    panels = _panels(loads, rotor.shear, 1.0, entries)
-    return Figure(
-        number=3,
-        title="Stiffness influence coefficients under a follower load",
-        caption="Solid: exact (Appendix A). Dashed: linear (Appendix B).",
-        parameters=parameters(rotor, tangency=1.0, beck_load=largest),
-        panels=panels,
-        reading=read_figure_3(panels, rotor),
-    )
+def coefficient_errors(panels: tuple[Chart, ...]) -> str:
+    """Write the largest error of every panel."""
+    return ", ".join(f"{panel.title} {percent(largest_error(panel))}" for panel in panels)

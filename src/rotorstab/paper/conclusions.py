@@ -17,7 +17,10 @@ from ..model.lumped import lumped
 from ..rotors.shaft_disk import BASE_CASE
 from ..whirl.critical_loads import critical_load
 from ..whirl.frequencies import whirl_frequencies
-from .regions import figure_5, figure_6, figure_7, figure_9
+from .figure_5_shear import figure_5
+from .figure_6_axial_load import figure_6
+from .figure_7_follower_load import figure_7
+from .figure_9_load_type import figure_9
 from .verdicts import boundaries, groups, judge, percent, right_of, say
 
 __all__ = [

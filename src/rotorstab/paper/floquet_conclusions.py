@@ -16,8 +16,9 @@ from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .floquet_numbers import PRINCIPAL, area, growth, place, separating, strongest, tongues
-from .region_panels import Variant, region_panel
+from .arguments import FACTORS, SPINS
+from .floquet_numbers import PRINCIPAL, area, growth, place, root, separating, strongest, tongues
+from .region_figure import RegionPanel, Variant, region_chart
 from .verdicts import listed, percent, uphold
 
 __all__ = [
@@ -29,8 +30,6 @@ __all__ = [
     "survival_e",
 ]
 
-_SPINS = (0.0, 1.0, 2.0)
-_FACTORS = (0.0, 0.2, 0.5)
 _AT = "At Ω̄ = 0, 1, 2"
 
 
@@ -40,15 +39,11 @@ def _variant(
     """Return a case of the figures; the loads are measured by the base case's p̄_cr."""
     reference = float(critical_load(BASE_CASE.shear))
     system = lumped(rotor, spin, tangency)
-    return Variant("it", "solid", system, factor, reference)
+    return Variant("rotor", "solid", system, factor, reference)
 
 
 def _frequency() -> float:
     return fundamental_frequency(lumped(BASE_CASE, 0.0))
-
-
-def _root(variant: Variant, name: str = PRINCIPAL) -> float:
-    return place(variant, name) / _frequency()
 
 
 @cache
@@ -63,13 +58,13 @@ def _exact_width(spin: float, tangency: float, factor: float, name: str, load: f
 @cache
 def _unstable_share(spin: float, tangency: float, highest: float = 8.0) -> float:
     """Return the unstable share of θ/ω_n to `highest` and β_d to 1, at α_s = 0.5."""
-    panel = region_panel("a", "", [_variant(spin, tangency)], _frequency(), 1.0, True, highest)
-    return area(panel, "it")
+    panel = RegionPanel("a", "", [_variant(spin, tangency)])
+    return area(region_chart(panel, _frequency(), 1.0, True, highest), "rotor")
 
 
 def survival_a() -> Statement:
     """Return (a): whether Bolotin's boundaries bound anything."""
-    cases = [(spin, mu, factor) for spin in _SPINS for mu in (0.0, 1.0) for factor in _FACTORS]
+    cases = [(spin, mu, factor) for spin in SPINS for mu in (0.0, 1.0) for factor in FACTORS]
     counts = {case: separating(_variant(*case)) for case in cases}
     rest = [n for (spin, _, _), n in counts.items() if spin == 0]
     spinning = [n for (spin, _, _), n in counts.items() if spin != 0]
@@ -79,7 +74,7 @@ def survival_a() -> Statement:
         f"Bolotin's boundaries with one stable and one unstable side at β_d = 0.1: {sum(rest)} of "
         f"{4 * len(rest)} at rest, {sum(spinning)} of {4 * len(spinning)} of the spinning cases "
         f"of Figs 6 and 7. At Ω̄ = 1, α_s = 0.5 under axial load the true tongue {PRINCIPAL} has "
-        f"the one root θ/ω_n = {_root(_variant(1.0)):.4f}, the sum of both frequencies, and is "
+        f"the one root θ/ω_n = {root(_variant(1.0)):.4f}, the sum of both frequencies, and is "
         f"{_exact_width(1.0, 0.0, 0.5, PRINCIPAL, 0.1):.4f} wide at β_d = 0.1.",
         uphold(4 * len(spinning) == sum(spinning)),
         "Both edges of a true tongue belong to the pair. At 2|ω| of one whirl a multiplier passes "
@@ -89,15 +84,15 @@ def survival_a() -> Statement:
 
 def survival_b() -> Statement:
     """Return (b): shear and the gyroscopic moment, one by one."""
-    with_shear = [_variant(spin) for spin in _SPINS]
-    without = [_variant(spin, rotor=EULER_BERNOULLI_TWIN) for spin in _SPINS]
+    with_shear = [_variant(spin) for spin in SPINS]
+    without = [_variant(spin, rotor=EULER_BERNOULLI_TWIN) for spin in SPINS]
     rates, stiff = ([growth(one) for one in row] for row in (with_shear, without))
     lower = [
         all(place(a, name) < place(b, name) for name in tongues(a).keys() & tongues(b).keys())
         for a, b in zip(with_shear, without, strict=True)
     ]
-    widths = [_exact_width(spin, 0.0, 0.5, PRINCIPAL, 0.1) for spin in _SPINS]
-    shares = [_unstable_share(spin, 0.0) for spin in _SPINS]
+    widths = [_exact_width(spin, 0.0, 0.5, PRINCIPAL, 0.1) for spin in SPINS]
+    shares = [_unstable_share(spin, 0.0) for spin in SPINS]
     return Statement(
         "(b) Shear deformation and the gyroscopic moment are both destabilising.",
         f"{_AT} the true tongue {PRINCIPAL} grows at {listed(rates)} times β_d with and "
@@ -118,13 +113,13 @@ def survival_b() -> Statement:
 def survival_c() -> Statement:
     """Return (c): the place of every tongue over the static load factor."""
     steps, moves = [], []
-    for spin in _SPINS:
-        row = [_variant(spin, 0.0, factor) for factor in _FACTORS]
+    for spin in SPINS:
+        row = [_variant(spin, 0.0, factor) for factor in FACTORS]
         for before, after in pairwise(row):
             names = tongues(before).keys() & tongues(after).keys()
             steps += [place(after, name) < place(before, name) for name in names]
-        moves.append([_root(one) for one in row])
-    rates = [[growth(_variant(spin, 0.0, factor)) for factor in _FACTORS] for spin in _SPINS]
+        moves.append([root(one) for one in row])
+    rates = [[growth(_variant(spin, 0.0, factor)) for factor in FACTORS] for spin in SPINS]
     return Statement(
         "(c) With a higher static load factor parametric resonance occurs at lower axial "
         "disturbance frequency.",
@@ -138,12 +133,12 @@ def survival_c() -> Statement:
 
 def survival_d() -> Statement:
     """Return (d): the principal tongue under a follower load."""
-    spins = _SPINS[1:]
-    rows = [[_variant(spin, 1.0, factor) for factor in _FACTORS] for spin in spins]
+    spins = SPINS[1:]
+    rows = [[_variant(spin, 1.0, factor) for factor in FACTORS] for spin in spins]
     rates = [[growth(one) for one in row] for row in rows]
     name = strongest(rows[0][0])[0]
-    places = [[_root(one, name) for one in row] for row in rows]
-    widths = [[_exact_width(spin, 1.0, f, name, 0.1) for f in _FACTORS] for spin in spins]
+    places = [[root(one, name) for one in row] for row in rows]
+    widths = [[_exact_width(spin, 1.0, f, name, 0.1) for f in FACTORS] for spin in spins]
     exists = [all(rate > 0 for rate in row) for row in rates]
     narrower = [all(a > b for a, b in pairwise(row)) for row in widths]
     return Statement(
@@ -161,10 +156,10 @@ def survival_d() -> Statement:
 
 def survival_e() -> Statement:
     """Return (e): axial against follower load, by growth, place and area."""
-    pairs = [[_variant(spin, mu) for mu in (0.0, 1.0)] for spin in _SPINS]
+    pairs = [[_variant(spin, mu) for mu in (0.0, 1.0)] for spin in SPINS]
     rates = [[strongest(one)[1] for one in pair] for pair in pairs]
-    shares = [[_unstable_share(spin, mu) for mu in (0.0, 1.0)] for spin in _SPINS]
-    lowest = [[min(_root(one, name) for name in tongues(one)) for one in pair] for pair in pairs]
+    shares = [[_unstable_share(spin, mu) for mu in (0.0, 1.0)] for spin in SPINS]
+    lowest = [[min(root(one, name) for name in tongues(one)) for one in pair] for pair in pairs]
 
     def both(rows: list[list[float]]) -> str:
         return "; ".join(f"{a:.3f}, {b:.3f}" for a, b in rows)

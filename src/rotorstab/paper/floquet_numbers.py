@@ -9,10 +9,12 @@ from numpy.typing import NDArray
 
 from .._tolerances import VISIBLE_GROWTH
 from ..bolotin.boundaries import boundary_frequencies
-from ..charts.figure import Panel, Region, Statement
+from ..charts.figure import Statement
+from ..charts.structure import Chart, Curve
 from ..floquet.point import growth_rate
 from ..floquet.resonance import Resonance, resonances
-from .region_panels import LOWEST, Variant
+from ..model.system import fundamental_frequency
+from .region_figure import LOWEST, Variant
 from .verdicts import groups, percent, uphold
 
 __all__ = [
@@ -22,6 +24,7 @@ __all__ = [
     "growth",
     "place",
     "read_shading",
+    "root",
     "separating",
     "strongest",
     "tongues",
@@ -60,6 +63,11 @@ def place(variant: Variant, name: str = PRINCIPAL) -> float:
     return float("nan") if row is None else row.centre
 
 
+def root(variant: Variant, name: str = PRINCIPAL) -> float:
+    """Return the root θ/ω_n of a tongue, by the system's own ω_n; NaN where there is none."""
+    return place(variant, name) / fundamental_frequency(variant.system)
+
+
 def separating(variant: Variant, factor: float = 0.1) -> int:
     """Return how many of Bolotin's first four boundaries have one stable and one unstable side.
 
@@ -74,45 +82,39 @@ def separating(variant: Variant, factor: float = 0.1) -> int:
     return int((sides[0] != sides[1]).sum())
 
 
-def _halves(region: Region) -> tuple[NDArray[np.float64], ...]:
-    """Return heights and both edges."""
-    half = region.x.size // 2
-    return region.y[:half], region.x[:half], region.x[half:][::-1]
-
-
-def width(panel: Panel, group: str, factor: float, name: str = PRINCIPAL) -> float:
+def width(panel: Chart, group: str, factor: float, name: str = PRINCIPAL) -> float:
     """Return the width in θ/ω_n of a tongue of first order at one β_d, 0 where it is not."""
     widths = []
     for one in panel.unstable:
-        y, left, right = _halves(one)
+        y, left, right = one.edges
         first = one.pair == name and one.order == 1
         if one.group == group and first and y[0] <= factor <= y[-1]:
             widths.append(np.interp(factor, y, right) - np.interp(factor, y, left))
     return float(max(widths, default=0.0))
 
 
-def area(panel: Panel, group: str) -> float:
+def area(panel: Chart, group: str) -> float:
     """Return the unstable share of the panel's window, from `LOWEST` on."""
     window = (panel.x_range[1] - LOWEST) * panel.y_range[1]
-    parts = [_halves(one) for one in panel.unstable if one.group == group]
+    parts = [one.edges for one in panel.unstable if one.group == group]
     return float(sum(np.trapezoid(right - left, y) for y, left, right in parts) / window)
 
 
-def _mask(panel: Panel, regions: Sequence[Region], group: str) -> NDArray[np.bool_]:
+def _mask(panel: Chart, regions: Sequence[Curve], group: str) -> NDArray[np.bool_]:
     """Return which points of a grid over the window lie in a group's regions."""
     columns = np.linspace(LOWEST, panel.x_range[1], _GRID[0])
     rows = (np.arange(_GRID[1]) + 0.5) / _GRID[1] * panel.y_range[1]
     inside = np.zeros((rows.size, columns.size), dtype=bool)
     for one in regions:
         if one.group == group:
-            y, left, right = _halves(one)
+            y, left, right = one.edges
             here = np.flatnonzero((rows >= y[0]) & (rows <= y[-1]))
             low, high = (np.interp(rows[here], y, edge)[:, None] for edge in (left, right))
             inside[here] |= (columns >= low) & (columns <= high)
     return inside
 
 
-def read_shading(panels: Sequence[Panel]) -> Statement:
+def read_shading(panels: Sequence[Chart]) -> Statement:
     """Return how much of the shaded area is unstable, and what is unstable outside it."""
     confirmed, missed = [], []
     for panel in panels:

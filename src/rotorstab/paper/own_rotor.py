@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .._arguments import number
-from ..charts.figure import Figure, Value, lettered, styled
+from ..charts.figure import Figure, Value
 from ..model.system import System, fundamental_frequency
 from ..whirl.critical_loads import critical_load
-from .region_panels import Variant, region_panel
+from .arguments import lettered, styled
+from .region_figure import RegionPanel, Variant, region_figure
 
 __all__ = ["own_regions"]
 
@@ -48,10 +49,7 @@ def own_regions(
     ValueError
         If an argument is out of range or the system is damped.
     """
-    panels_of, lines = (
-        lettered("spin_speeds", spin_speeds),
-        styled("static_factors", static_factors),
-    )
+    speeds, lines = lettered("spin_speeds", spin_speeds), styled("static_factors", static_factors)
     number("largest_factor", largest_factor, 0.0, open_low=True)
     if system.is_damped:
         raise ValueError("`system` must be undamped for Bolotin regions, got a damped one")
@@ -64,13 +62,13 @@ def own_regions(
         )
     frequency = fundamental_frequency(system)
     panels = []
-    for letter, spin in panels_of:
+    for letter, spin in speeds:
         variants = [
             Variant(f"α_s = {factor:g}", style, system.at_speed(spin), factor, reference)
             for style, factor in lines
         ]
-        panels.append(region_panel(letter, f"Ω̄ = {spin:g}", variants, frequency, largest_factor))
-    return Figure(
+        panels.append(RegionPanel(letter, f"Ω̄ = {spin:g}", variants))
+    figure = Figure(
         number=0,
         title="Bolotin regions",
         caption="First two regions.",
@@ -81,5 +79,6 @@ def own_regions(
             "reference_load": reference,
             "fundamental_frequency": frequency,
         },
-        panels=tuple(panels),
+        panels=(),
     )
+    return region_figure(figure, panels, frequency, largest_factor)

@@ -1,14 +1,29 @@
-"""Verdicts, and the common arithmetic of readings."""
+"""Verdicts of readings, the numbers that several readings need, and how these are written."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..charts.figure import Array, Panel, Verdict
+from ..charts.figure import Verdict
+from ..charts.structure import Chart
 
-__all__ = ["boundaries", "groups", "judge", "listed", "percent", "right_of", "say", "uphold"]
+__all__ = [
+    "boundaries",
+    "by_panel",
+    "groups",
+    "judge",
+    "listed",
+    "percent",
+    "right_of",
+    "say",
+    "titles",
+    "uphold",
+]
+
+Array = NDArray[np.float64]
 
 _MODES = ("1B", "1F", "2B", "2F")
 
@@ -32,12 +47,25 @@ def listed(values: Iterable[float], decimals: int = 3) -> str:
     return ", ".join(f"{value:.{decimals}f}" for value in values)
 
 
+def by_panel(panels: Sequence[Chart], rows: Sequence[Sequence[float]]) -> str:
+    """Write the numbers of every panel as steps."""
+    return "; ".join(
+        f"{panel.title}: {' → '.join(f'{x:.3f}' for x in row)}"
+        for panel, row in zip(panels, rows, strict=True)
+    )
+
+
+def titles(panels: Sequence[Chart]) -> str:
+    """Write the titles of panels one after the other."""
+    return ", ".join(panel.title for panel in panels)
+
+
 def say(fact: bool | np.bool_, yes: str, no: str) -> str:
     """Return the words that the fact calls for."""
     return yes if fact else no
 
 
-def boundaries(panel: Panel, group: str, modes: tuple[str, ...] = _MODES) -> Array:
+def boundaries(panel: Chart, group: str, modes: tuple[str, ...] = _MODES) -> Array:
     """Return θ/ω_n (modes, 21) of one group's boundaries at 21 even β_d of the panel.
 
     NaN where a boundary is not real.
@@ -53,7 +81,7 @@ def right_of(one: Array, other: Array) -> bool:
     return bool((one[both] >= other[both] - 1e-9).all() and both.any())
 
 
-def groups(panel: Panel) -> list[str]:
+def groups(panel: Chart) -> list[str]:
     """Return the names of a panel's groups, in the order of drawing."""
     return list(dict.fromkeys(one.group for one in panel.series))
 

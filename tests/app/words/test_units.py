@@ -221,5 +221,9 @@ def test_the_title_of_an_exported_map_names_the_unit_of_its_numbers():
     numbers = result.numbers["fundamental"], result.numbers["reference"]
     plain = chart_figure(chart, {})
     si = chart_figure(in_si(chart, state.scales(), *numbers), {})
-    assert plain.title.endswith(f"growth rate σ̄ up to {plain.panels[0].grid.values.max():.3g}")
-    assert si.title.endswith(f"growth rate σ up to {si.panels[0].grid.values.max():.3g} 1/s")
+
+    def largest(figure):
+        return figure.panels[0].layer("growth").columns["rate"][0].max()
+
+    assert plain.title.endswith(f"growth rate σ̄ up to {largest(plain):.3g}")
+    assert si.title.endswith(f"growth rate σ up to {largest(si):.3g} 1/s")

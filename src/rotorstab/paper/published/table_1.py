@@ -7,12 +7,14 @@ from functools import cache
 
 import numpy as np
 
+from ...charts.modes import modes
 from ...model.finite_element import finite_element
 from ...model.lumped import lumped
 from ...model.system import System
 from ...rotors.shaft_disk import TABLE_1_SI, Scales, ShaftDisk
 from ...whirl.critical_loads import critical_load
 from ...whirl.frequencies import whirl_frequencies
+from ...whirl.mode_names import mode_names
 
 __all__ = ["table_1_rotor", "table_1_whirl"]
 
@@ -35,5 +37,6 @@ def table_1_whirl(model: str, rpm: float, factor: float, mode: str) -> float:
     """Return |ω| [rad/s] of a whirl mode of Table 1's rotor."""
     rotor, scales = table_1_rotor()
     whirl = whirl_frequencies(_system(model, rpm), factor * critical_load(rotor.shear)).real
-    side = whirl[whirl > 0] if mode[1] == "F" else -whirl[whirl < 0]
-    return float(np.sort(side)[int(mode[0]) - 1] * scales.frequency)
+    wanted = next(known for known in modes(mode_names(whirl.size // 2)) if known.name == mode)
+    side = whirl[whirl > 0] if wanted.forward else -whirl[whirl < 0]
+    return float(np.sort(side)[wanted.number - 1] * scales.frequency)

@@ -1,0 +1,88 @@
+"""Texts of a printed panel: symbols as mathematics, title, and labels beside their points."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..charts import Chart
+
+__all__ = ["finish_panel", "mathtext"]
+
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_TONGUE = "tongue"  # label of the layer whose names stand out from the areas below them
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a label stands: its offset from the point [pt] and its alignment."""
+
+    dx: float
+    dy: float
+    horizontal: str
+    vertical: str
+
+
+_PLACES: Mapping[str, _Place] = {
+    "left": _Place(-4, 0, "right", "center"),
+    "right": _Place(4, 0, "left", "center"),
+    "upper left": _Place(-4, 3, "right", "bottom"),
+    "lower left": _Place(-4, -3, "right", "top"),
+    "upper right": _Place(4, 3, "left", "bottom"),
+    "lower right": _Place(4, -9, "left", "bottom"),
+    "above left": _Place(-1, 2, "right", "bottom"),
+    "above right": _Place(1, 2, "left", "bottom"),
+    "foot": _Place(3, 0, "left", "bottom"),
+    "upright": _Place(3, 0, "left", "bottom"),
+}
+
+
+def mathtext(text: str) -> str:
+    """Return the text with barred, indexed and Greek symbols as Matplotlib mathtext."""
+    text = text.replace("$", r"\$")  # a pin's name may have any sign
+    text = re.sub(
+        "(.)\u0304([₀-₉]*)",
+        lambda m: rf"$\bar{{{m[1]}}}" + (f"_{{{m[2].translate(_SUBSCRIPTS)}}}$" if m[2] else "$"),
+        text,
+    )
+    return re.sub(r"([αβμ])_([sd])", r"$\1_\2$", text).replace("ωₙ", "$ω_n$")
+
+
+def finish_panel(axes: Any, panel: Chart) -> None:
+    """Give Matplotlib axes their frame, their title and the labels of a panel."""
+    title = mathtext(f"({panel.letter}) {panel.title}") if panel.letter else ""
+    axes.set_title(title, pad=12 if panel.regions else 6)
+    axes.set_aspect("auto")
+    axes.tick_params(direction="in", top=True, right=True)
+    axes.spines[:].set_visible(True)
+    low, high = panel.y_range
+    for layer in panel.of_kind("labels"):
+        keys = ("x", "y", "name", "side")
+        for x, y, text, side in zip(*(layer.columns[key] for key in keys), strict=True):
+            place = _PLACES[side]
+            # a label just under the frame would touch it
+            touches = place.vertical == "bottom" and high - 0.06 * (high - low) < y < high
+            axes.annotate(
+                text,
+                (x, y),
+                xytext=(place.dx, place.dy),
+                textcoords="offset points",
+                ha=place.horizontal,
+                va="top" if touches else place.vertical,
+                rotation=90 if side == "upright" else 0,
+                fontsize=7.0,
+                annotation_clip=None if layer.label == _TONGUE else False,
+                **_weight(layer.label == _TONGUE),
+            )
+
+
+def _weight(strong: bool) -> dict[str, Any]:
+    """Return the look of a label, or of one that must stand out from the areas below it."""
+    if not strong:
+        return {"color": "#444444"}
+    from matplotlib.patheffects import withStroke
+
+    halo = [withStroke(linewidth=2.2, foreground="white")]
+    return {"color": "#222222", "fontweight": "bold", "path_effects": halo}
