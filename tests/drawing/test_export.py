@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from rotorstab.drawing import tables
+from rotorstab.drawing.files import write_file
 from rotorstab.paper import FIGURES, table_1
 
 
@@ -69,38 +70,38 @@ def test_columns_write_nan_as_nothing():
 
 def test_a_file_is_not_overwritten_unless_told(tmp_path):
     path = tmp_path / "a.csv"
-    assert tables.write_file(path, "one") == path
+    assert write_file(path, "one") == path
     with pytest.raises(FileExistsError, match=r"a\.csv exists and is not overwritten"):
-        tables.write_file(path, "two")
+        write_file(path, "two")
     assert path.read_text() == "one"
-    tables.write_file(path, b"two", overwrite=True)
+    write_file(path, b"two", overwrite=True)
     assert path.read_text() == "two"
     assert os.listdir(tmp_path) == ["a.csv"]
 
 
 def test_a_failed_write_leaves_nothing_and_the_old_file_whole(tmp_path, monkeypatch):
     path = tmp_path / "a.csv"
-    tables.write_file(path, "old")
+    write_file(path, "old")
 
     def full(*_):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OSError, match="No space left"):
-        tables.write_file(path, "new", overwrite=True)
+        write_file(path, "new", overwrite=True)
     assert path.read_text() == "old"
     assert os.listdir(tmp_path) == ["a.csv"]
 
 
 def test_a_missing_directory_is_named(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"missing/a\.csv"):
-        tables.write_file(tmp_path / "missing" / "a.csv", "x")
+        write_file(tmp_path / "missing" / "a.csv", "x")
 
 
 def test_files_follow_the_umask(tmp_path):
     before = os.umask(0o027)
     try:
-        path = tables.write_file(tmp_path / "a.csv", "x")
+        path = write_file(tmp_path / "a.csv", "x")
     finally:
         os.umask(before)
     assert path.stat().st_mode & 0o777 == 0o640

@@ -130,7 +130,11 @@ def stiffness_charts(
                 layers=(Layer("lines", "coefficient", lines.columns),),
             )
         )
-    errors = _errors(axis, shear, tangency)
+    return (*charts, _error_chart(axis, _errors(axis, shear, tangency), x_range))
+
+
+def _error_chart(axis: Array, errors: Array, x_range: tuple[float, float]) -> Chart:
+    """Return the chart of the linear law's errors (m, 2, 2) with the levels of 1 % and 5 %."""
     lines = Lines()
     rows = []
     # force balance, k̄₁₁ + k̄₁₂ + k̄₂₁ = −(1 − μ)p̄, is linear in p̄: three of the errors are one
@@ -145,18 +149,15 @@ def stiffness_charts(
         rows.append((float(axis[last]), float(error[last]), name, side))
     for level in LEVELS:
         lines.add(np.array(x_range), np.array([level, level]), f"{level:.0%} of k̄(0)", "level")
-    charts.append(
-        Chart(
-            key="errors",
-            title="Error of the linear law",
-            x=LOAD,
-            y=Quantity("", "error over k̄(0)"),
-            x_range=x_range,
-            y_range=(-0.13 * top_error, top_error),  # room for a name under a curve near 0
-            layers=(
-                Layer("lines", "errors", lines.columns),
-                Layer("labels", "names", label_columns(rows)),
-            ),
-        )
+    return Chart(
+        key="errors",
+        title="Error of the linear law",
+        x=LOAD,
+        y=Quantity("", "error over k̄(0)"),
+        x_range=x_range,
+        y_range=(-0.13 * top_error, top_error),  # room for a name under a curve near 0
+        layers=(
+            Layer("lines", "errors", lines.columns),
+            Layer("labels", "names", label_columns(rows)),
+        ),
     )
-    return tuple(charts)

@@ -74,8 +74,8 @@ def load_frequency_chart(
     lows, highs = zip(*map(_span, curves.values()), strict=True)
     y_range = around_zero(min(lows), max(highs))
     lines, marks = Lines(), Lines()
-    for role, one in curves.items():
-        lines.whirl(one, (role, role), f"{{}}, {role}")
+    for role, whirl in curves.items():
+        lines.whirl(whirl, (role, role), f"{{}}, {role}")
     present = Wording("present static load, {}", (Amount(LOAD, static_load, index="₀"),))
     marks.vertical(static_load, y_range, present, "current")
     shown = {name: load for name, load in limits.items() if x_range[0] <= load <= x_range[1]}

@@ -1,4 +1,4 @@
-"""What the commands of the command line do; `cli` reads their arguments.
+"""What the commands of the command line do; `parser` reads their arguments.
 
 Every function takes the parsed arguments and raises ValueError or OSError with one clear
 line. Only drawing loads HoloViews.
@@ -18,6 +18,7 @@ import numpy as np
 
 from .._arguments import number
 from ..drawing import tables
+from ..drawing.files import write_file
 from ..model.finite_element import finite_element
 from ..model.lumped import lumped
 from ..model.system import System
@@ -29,6 +30,7 @@ from ..paper import (
     Figure,
     Statement,
     own_regions,
+    paper_figure,
     table_1,
 )
 from ..paper.validation import validation_markdown
@@ -84,10 +86,11 @@ def _figure_data(figure: Figure, suffixes: Sequence[str]) -> dict[str, bytes | s
 def _reading(title: str, statements: Sequence[Statement]) -> str:
     """Write statements for a terminal."""
     lines = [title]
-    for one in statements:
-        lines += ["", f"  paper: {one.text}", f"  ours:  {one.ours}", f"  → {one.verdict}"]
-        if one.note:
-            lines.append(f"  note:  {one.note}")
+    for statement in statements:
+        lines += ["", f"  paper: {statement.text}", f"  ours:  {statement.ours}"]
+        lines.append(f"  → {statement.verdict}")
+        if statement.note:
+            lines.append(f"  note:  {statement.note}")
     return "\n".join(lines) + "\n"
 
 
@@ -130,7 +133,7 @@ def _emit(
     path = Path(arguments.output)
     if path.exists() and not arguments.force:
         raise ValueError(f"{path} exists; --force overwrites it")
-    tables.write_file(path, _marked(data(suffix), suffix, arguments), arguments.force)
+    write_file(path, _marked(data(suffix), suffix, arguments), arguments.force)
 
 
 def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> bytes | str:
@@ -138,11 +141,6 @@ def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> by
     if suffix == ".csv" and isinstance(data, str) and arguments.excel:
         return "\ufeff" + data
     return data
-
-
-def _figure(number: int, floquet: bool) -> Figure:
-    """Return a figure, with Floquet where that is asked for and there is one."""
-    return FIGURES[number](**({"floquet": True} if floquet and number in FLOQUET_FIGURES else {}))
 
 
 def run_figure(arguments: argparse.Namespace) -> None:
@@ -157,9 +155,9 @@ def run_figure(arguments: argparse.Namespace) -> None:
             f"`--floquet` is for figures {FLOQUET_FIGURES[0]} to {FLOQUET_FIGURES[-1]}, "
             f"got {arguments.number}"
         )
-    figure = _figure(arguments.number, arguments.floquet)
+    figure = paper_figure(arguments.number, arguments.floquet)
     _emit(
-        _reading(f"Figure {figure.number}. {figure.title}", figure.reading),
+        _reading(figure.heading, figure.reading),
         lambda suffix: _figure_data(figure, [suffix])[suffix],
         arguments,
         (*_DRAWN, *_TABLES),
@@ -170,24 +168,24 @@ def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Name
     """Write every figure and the table; nothing if any file is in the way."""
     force = arguments.force
     known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
-    for one in formats:
-        if one not in known:
-            raise ValueError(f"`--formats` must be among {','.join(known)}, got {one!r}")
+    for name in formats:
+        if name not in known:
+            raise ValueError(f"`--formats` must be among {','.join(known)}, got {name!r}")
     directory.mkdir(exist_ok=True)
-    table = [one for one in formats if one in ("csv", "json")]
-    names = [f"figure_{n}.{one}" for n in FIGURES for one in formats]
-    names += [f"table_1.{one}" for one in table]
+    table = [name for name in formats if name in ("csv", "json")]
+    names = [f"figure_{n}.{name}" for n in FIGURES for name in formats]
+    names += [f"table_1.{name}" for name in table]
     taken = [name for name in names if (directory / name).exists()]
     if taken and not force:
         raise ValueError(f"{directory / taken[0]} exists; --force overwrites it")
     for n in FIGURES:
-        figure = _figure(n, arguments.floquet)
-        for suffix, content in _figure_data(figure, [f".{one}" for one in formats]).items():
+        figure = paper_figure(n, arguments.floquet)
+        for suffix, content in _figure_data(figure, [f".{name}" for name in formats]).items():
             content = _marked(content, suffix, arguments)
-            tables.write_file(directory / f"figure_{n}{suffix}", content, force)
-    for one in table:
-        data = tables.table_csv(table_1()) if one == "csv" else tables.table_json(table_1())
-        tables.write_file(directory / f"table_1.{one}", _marked(data, f".{one}", arguments), force)
+            write_file(directory / f"figure_{n}{suffix}", content, force)
+    for name in table:
+        data = tables.table_csv(table_1()) if name == "csv" else tables.table_json(table_1())
+        write_file(directory / f"table_1.{name}", _marked(data, f".{name}", arguments), force)
     sys.stdout.write(f"{len(names)} files in {directory}\n")
 
 
@@ -231,7 +229,7 @@ def run_validation(arguments: argparse.Namespace) -> None:
 
 
 def _rotor(arguments: argparse.Namespace) -> ShaftDisk:
-    return ShaftDisk(**{one.name: getattr(arguments, one.name) for one in fields(ShaftDisk)})
+    return ShaftDisk(**{field.name: getattr(arguments, field.name) for field in fields(ShaftDisk)})
 
 
 def _system(arguments: argparse.Namespace) -> System:
@@ -248,7 +246,7 @@ def _system(arguments: argparse.Namespace) -> System:
 
 def _parameters(arguments: argparse.Namespace, *names: str) -> dict[str, Any]:
     """Return the named arguments as plain values."""
-    rotor = [one.name for one in fields(ShaftDisk)]
+    rotor = [field.name for field in fields(ShaftDisk)]
     values = {name: getattr(arguments, name) for name in (*rotor, "tangency", "model", *names)}
     if arguments.model == "finite-element":
         values |= {"elements": arguments.elements, "modes": arguments.modes}
@@ -294,9 +292,9 @@ def run_regions(arguments: argparse.Namespace) -> None:
     )
     columns: dict[str, list[Any]] = {"panel": [], "boundary": [], "beta_d": [], "theta/omega_n": []}
     for panel in figure.panels:
-        for one in panel.series:
+        for line in panel.series:
             for beta in np.linspace(0.0, arguments.largest_factor, 6):
-                row = (panel.title, one.name, float(beta), float(np.interp(beta, one.y, one.x)))
+                row = (panel.title, line.name, float(beta), float(np.interp(beta, line.y, line.x)))
                 for column, value in zip(columns.values(), row, strict=True):
                     column.append(value)
     _emit(

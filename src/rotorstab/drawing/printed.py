@@ -5,11 +5,9 @@ No browser is needed. `typesetting` writes the texts; tables of the same figures
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from io import BytesIO
 from typing import Any
-
-import numpy as np
 
 from .._arguments import choice, extra_is_missing
 
@@ -18,28 +16,18 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import Chart, Curve, Figure
-from ..charts.figure import growth_layer, growth_of
+from ..charts import Figure
 from ..charts.instability import BOLOTIN
-from ..charts.structure import pixel_centres
 from ..charts.tongues import FLOQUET
+from .printed_panel import DASHES, FILL, PALE, PANEL_INCHES, SHADE, marker, panel_overlay
 from .typesetting import finish_panel, mathtext
 
 __all__ = ["PRINT_FORMATS", "figure_files", "paper_layout"]
 
 PRINT_FORMATS = ("pdf", "svg", "png")
 
-_DASHES: dict[str, Any] = {
-    "solid": "-",
-    "dashed": (0, (6, 2.5)),
-    "dashdot": (0, (7, 2, 1.4, 2)),
-    "dotted": (0, (1.2, 1.4)),
-}
-_PANEL_INCHES = (3.2, 2.6)
 _SINGLE_INCHES = (5.6, 3.8)
 _WIDE_INCHES = (7.2, 2.75)  # with Floquet: a panel a row, for narrow tongues
-_FILL = 0.38  # opacity of what is unstable
-_SHADE, _PALE = 0.14, 0.09  # opacity of a Bolotin region, and of one beside what is unstable
 _LEGEND = {"frameon": False, "handlelength": 3.4}
 _SETTINGS = {
     "font.size": 9.0,
@@ -53,103 +41,6 @@ _SETTINGS = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rotorstab",  # the same ids in every run
 }
-
-
-def _marker(point: Curve) -> str:
-    """Return the sign of a point: a circle for a marked one, else a diamond."""
-    return "o" if point.role == "marker" else "D"
-
-
-def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
-    """Return a HoloViews hook that fills and outlines what is unstable.
-
-    A panel has a hundred thin polygons; as HoloViews elements they would take half a minute.
-    """
-
-    def draw(plot: Any, _: Any) -> None:
-        from matplotlib.collections import LineCollection, PolyCollection
-
-        axes = plot.handles["axis"]
-        for group in dict.fromkeys(curve.group for curve in outlines):
-            curves = [curve for curve in outlines if curve.group == group]
-            color, style = curves[0].look.print_color, curves[0].style
-            shapes = [np.column_stack(curve.polygon) for curve in curves]
-            edges = [half for shape in shapes for half in np.split(shape, [len(shape) // 2])]
-            axes.add_collection(
-                PolyCollection(
-                    shapes,
-                    facecolor=color,
-                    edgecolor="none",
-                    alpha=_FILL,
-                    zorder=1,
-                    label=group,
-                ),
-                autolim=False,
-            )
-            # the thinnest tongue is seen by its outline
-            axes.add_collection(
-                LineCollection(
-                    edges, colors=color, linestyles=[_DASHES[style]], linewidths=0.8, zorder=1.5
-                ),
-                autolim=False,
-            )
-
-    return draw
-
-
-def _areas(panel: Chart, opacity: float) -> list[hv.Element]:
-    """Return the map of growth, where no outline says more than its pixels, and the regions."""
-    areas = [
-        hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
-            facecolor=hv.Cycle([region.look.print_color]),
-            edgecolor="none",
-            alpha=opacity,
-            backend="matplotlib",
-        )
-        for region in panel.regions
-    ]
-    growth = growth_layer(panel)
-    if growth is not None and not panel.unstable:
-        rates = np.asarray(growth.columns["rate"][0], float)
-        values = np.where(rates > 0, rates, np.nan)
-        name = growth_of(panel).label(with_unit=False)
-        image = hv.Image((*pixel_centres(growth), values), ["x", "y"], name)
-        areas.insert(0, image.opts(cmap="plasma", backend="matplotlib"))
-    return areas
-
-
-def _panel_overlay(panel: Chart) -> hv.Overlay:
-    """Return one panel: shaded regions below, lines above, points on top."""
-    thin = bool(panel.unstable and panel.regions)  # Bolotin's part steps back
-    lines = [
-        hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
-            linestyle=_DASHES[line.style],
-            linewidth=0.7 if thin else 1.3,
-            color=line.look.print_color,
-            alpha=0.5 if thin else 1.0,
-            backend="matplotlib",
-        )
-        for line in panel.curves("lines")
-    ]
-    points = [
-        hv.Points((point.x, point.y), ["x", "y"]).opts(
-            s=22, marker=_marker(point), color=point.look.print_color, backend="matplotlib"
-        )
-        for point in panel.curves("points")
-    ]
-    return hv.Overlay([*_areas(panel, _PALE if thin else _SHADE), *lines, *points]).opts(
-        hv.opts.Overlay(
-            title=f"({panel.letter}) {panel.title}" if panel.letter else panel.title,
-            xlabel=mathtext(panel.x.name(with_unit=True)),
-            ylabel=mathtext(panel.y.name(with_unit=True)),
-            xlim=panel.x_range,
-            ylim=panel.y_range,
-            hooks=[_fill_hook(panel.unstable)] if panel.unstable else [],
-            show_legend=False,
-            aspect=_PANEL_INCHES[0] / _PANEL_INCHES[1],
-            backend="matplotlib",
-        )
-    )
 
 
 def _columns(figure: Figure) -> int:
@@ -173,7 +64,7 @@ def paper_layout(figure: Figure) -> hv.Layout:
         HoloViews' Matplotlib backend is loaded; the current backend stays what it was.
     """
     hv.renderer("matplotlib")  # loads it where it is not, and leaves the current one current
-    layout = hv.Layout([_panel_overlay(panel) for panel in figure.panels])
+    layout = hv.Layout([panel_overlay(panel) for panel in figure.panels])
     return layout.opts(
         shared_axes=False, sublabel_format="", tight=False, backend="matplotlib"
     ).cols(_columns(figure))
@@ -230,7 +121,7 @@ def _arrange(drawn: Any, figure: Figure) -> None:
     """Place the panels, the common legend and the heading of a rendered layout."""
     columns = _columns(figure)
     rows = -(-len(figure.panels) // columns)
-    across, down = _PANEL_INCHES if columns > 1 else _SINGLE_INCHES
+    across, down = PANEL_INCHES if columns > 1 else _SINGLE_INCHES
     if figure.has_floquet:
         across, down = _WIDE_INCHES
     handles, names = _legend_entries(figure)
@@ -273,8 +164,8 @@ def _legend_entries(figure: Figure) -> tuple[list[Any], list[str]]:
             [],
             [],
             color=curve.look.print_color,
-            linestyle=_DASHES[curve.style] if curve.x.size > 1 else "",
-            marker="" if curve.x.size > 1 else _marker(curve),
+            linestyle=DASHES[curve.style] if curve.x.size > 1 else "",
+            marker="" if curve.x.size > 1 else marker(curve),
         )
         for curve in groups.values()
     ]
@@ -296,8 +187,8 @@ def _area_entries(figure: Figure) -> list[tuple[str, str, float]]:
     outlines = [outline for panel in figure.panels for outline in panel.unstable]
     found = []
     for name, areas, opacity, grey in (
-        (BOLOTIN, regions, _PALE, _SHADE),
-        (FLOQUET, outlines, _FILL, 0.5),
+        (BOLOTIN, regions, PALE, SHADE),
+        (FLOQUET, outlines, FILL, 0.5),
     ):
         colors = {area.look.print_color for area in areas}
         found.append((name, *((colors.pop(), opacity) if len(colors) == 1 else ("#444444", grey))))

@@ -15,12 +15,23 @@ from .._arguments import extra_is_missing
 
 try:
     import holoviews as hv
-    from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
     from bokeh.palettes import Plasma256
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import ROLES, Chart, Layer
+from .hooks import (
+    apply_hatch,
+    apply_label_places,
+    apply_line_styles,
+    bare_colours,
+    finish,
+    hover,
+    hover_names,
+    make_square,
+    map_hover,
+    per_period,
+)
 
 __all__ = [
     "DISAGREEMENT_COLOURS",
@@ -100,118 +111,6 @@ def columns(layer: Layer) -> dict[str, Any]:
     return result
 
 
-def _apply_line_styles(plot: Any, _: Any) -> None:
-    """Let every line of a layer take its own colour, dash and width from the source."""
-    glyph = plot.handles["glyph"]
-    glyph.line_color, glyph.line_dash, glyph.line_width = (
-        {"field": name} for name in ("color", "dash", "width")
-    )
-    glyph.line_cap = "butt"
-
-
-def _apply_hatch(plot: Any, _: Any) -> None:
-    """Hatch the regions: shading alone is too faint a sign."""
-    plot.handles["glyph"].update(
-        hatch_pattern="right_diagonal_line",
-        hatch_color="#8a93a0",
-        hatch_alpha=0.3,
-        hatch_scale=9,
-        hatch_weight=0.8,
-    )
-
-
-def _apply_label_places(plot: Any, _: Any) -> None:
-    """Let every label stand on its own side of its point."""
-    plot.handles["glyph"].update(
-        text_align={"field": "align"},
-        text_baseline={"field": "baseline"},
-        x_offset={"field": "dx"},
-        y_offset={"field": "dy"},
-        background_fill_color="white",
-        background_fill_alpha=0.7,
-    )
-
-
-def _growth_name(chart: Chart) -> str:
-    return "growth σ [1/s]" if chart.in_si else "growth σ̄"
-
-
-def hover_names(chart: Chart) -> list[str]:
-    """Return the hover's names of abscissa, ordinate and growth, in the chart's units."""
-    return [chart.x.name(chart.in_si), chart.y.name(chart.in_si), _growth_name(chart)]
-
-
-def _hover(chart: Chart) -> HoverTool:
-    """Return a hover tool that names the mark and gives the point in the chart's symbols."""
-    x, y, _ = hover_names(chart)
-    return HoverTool(
-        tooltips=[("", "@name"), (x, "$x{0.000}"), (y, "$y{0.000}")],
-        line_policy="nearest",
-        visible=False,
-    )
-
-
-def _finish(plot: Any, _: Any) -> None:
-    """Settle what HoloViews has no option for."""
-    figure = plot.state
-    figure.toolbar.logo = None
-    figure.toolbar.active_drag = next(
-        tool for tool in figure.toolbar.tools if type(tool).__name__ == "BoxZoomTool"
-    )
-    figure.toolbar.active_scroll = None
-    # the page's own ground shows through, light or dark
-    figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
-    for axis in figure.axis:
-        # plain digits as far as they fit
-        axis.formatter.update(power_limit_high=7)
-        axis.update(
-            axis_label_text_font_style="normal",
-            axis_label_text_font_size="14px",
-            major_label_text_font_size="12px",
-            minor_tick_line_color=None,
-        )
-
-
-_SHORT_TICKS = """
-const value = Number(tick.toPrecision(4)), size = Math.abs(value)
-const far = size >= 1e4 || (size > 0 && size < 1e-3)
-return (far ? value.toExponential().replace("e+", "e") : String(value)).replaceAll("-", "−")
-"""
-
-
-def _make_square(plot: Any, _: Any) -> None:
-    """Give the frame borders of one size, so that a square place makes equal scales."""
-    # no toolbar: it would take its height from the frame
-    plot.state.update(
-        toolbar_location=None,
-        min_border_left=64,
-        min_border_right=14,
-        min_border_top=14,
-        min_border_bottom=64,
-    )
-    for axis in plot.state.axis:
-        # few and short, so that they stay apart at any size of the motion
-        axis.ticker.desired_num_ticks = 4
-        axis.formatter = CustomJSTickFormatter(code=_SHORT_TICKS)
-
-
-def _bare_colours(plot: Any, _: Any) -> None:
-    """Let what is not a number stay clear, and forget HoloViews' own range."""
-    plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
-
-
-def _per_period(plot: Any, _: Any) -> None:
-    """Let the hover give the growth per unit of time and per period of the load."""
-    words = CustomJSHover(
-        args={"source": plot.handles["source"]},
-        code="""
-        const period = 2 * Math.PI / (special_vars.x * source.data.frequency[0])
-        return value ? `${value.toFixed(4)}, ${(value * period).toFixed(3)} a period` : "none"
-        """,
-    )
-    plot.handles["hover"].formatters |= {"@rate": words}
-
-
 def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
     """Return a map as an image; growth carries the colour bar and the hover."""
     (left, right), (low, high) = chart.x_range, chart.y_range
@@ -230,31 +129,10 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
             clabel="",
             colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
             alpha=1.0 if growth else 0.4,
-            tools=[_map_hover(chart)] if growth else [],
-            hooks=[_bare_colours, _per_period] if growth else [_bare_colours],
+            tools=[map_hover(chart)] if growth else [],
+            hooks=[bare_colours, per_period] if growth else [bare_colours],
             backend="bokeh",
         )
-    )
-
-
-def _map_hover(chart: Chart) -> HoverTool:
-    """Return a hover tool that gives the place, the growth and both verdicts."""
-    words = CustomJSHover(
-        code="""
-        return ["stable by both", "Floquet: unstable, Bolotin: no region",
-                "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
-        """
-    )
-    x, y, growth = hover_names(chart)
-    return HoverTool(
-        tooltips=[
-            (x, "$x{0.000}"),
-            (y, "$y{0.000}"),
-            (growth, "@rate{custom}"),
-            ("verdict", "@verdict{custom}"),
-        ],
-        formatters={"@verdict": words},
-        visible=False,
     )
 
 
@@ -275,7 +153,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
                 color="#8a93a0",
                 fill_alpha=0.06,
                 line_alpha=0.0,
-                hooks=[_apply_hatch],
+                hooks=[apply_hatch],
                 backend="bokeh",
             )
         )
@@ -286,8 +164,8 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
         lines = hv.Contours(paths, vdims=extra, label=label)
         return lines.opts(
             hv.opts.Contours(
-                hooks=[_apply_line_styles],
-                tools=[_hover(chart)],
+                hooks=[apply_line_styles],
+                tools=[hover(chart)],
                 show_legend=False,
                 backend="bokeh",
             )
@@ -297,7 +175,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
         return hv.Points(marks, vdims=["name"], label=label).opts(
             hv.opts.Points(
                 **POINT_LOOKS.get(layer.label, _DIAMOND),
-                tools=[_hover(chart)],
+                tools=[hover(chart)],
                 backend="bokeh",
             )
         )
@@ -306,7 +184,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
             text_font_size="9pt",
             text_font_style="bold",
             text_color="#6b7280",
-            hooks=[_apply_label_places],
+            hooks=[apply_label_places],
             backend="bokeh",
         )
     )
@@ -338,7 +216,7 @@ def element(chart: Chart) -> hv.Overlay:
             min_height=240,
             toolbar="above",
             default_tools=_TOOLS,
-            hooks=[_finish, _make_square] if chart.square else [_finish],
+            hooks=[finish, make_square] if chart.square else [finish],
             backend="bokeh",
         )
     )

@@ -1,4 +1,4 @@
-"""Figures and tables as CSV and JSON, and files that are written whole or not at all.
+"""Figures and tables as CSV and JSON.
 
 A CSV file holds exactly the arrays that are drawn, to the last digit, below comment lines
 with what made them. Nothing depends on the time or the place of writing.
@@ -6,14 +6,8 @@ with what made them. Nothing depends on the time or the place of writing.
 
 from __future__ import annotations
 
-import csv
-import json
 import math
-import os
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from io import StringIO
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,6 +17,7 @@ from ..charts import Chart, Curve, Figure, Layer
 from ..charts.figure import growth_layer, growth_of
 from ..charts.structure import pixel_centres
 from ..paper import Table
+from .plain_text import comment_lines, csv_rows, json_text, plain_numbers
 
 __all__ = [
     "columns_csv",
@@ -31,115 +26,10 @@ __all__ = [
     "figure_json",
     "table_csv",
     "table_json",
-    "write_file",
 ]
 
 
 Array = NDArray[np.float64]
-
-# what a formula or a command of a spreadsheet begins with, at full width too
-_COMPUTED = frozenset("=+-@|%＝＋－＠")
-
-
-def write_file(path: str | Path, data: bytes | str, overwrite: bool = False) -> Path:
-    """Write a whole file or none.
-
-    Parameters
-    ----------
-    path : path
-        Its directory must exist.
-    data : bytes or str
-        Text is written as UTF-8.
-    overwrite : bool
-        Whether an existing file may be replaced.
-
-    Returns
-    -------
-    Path
-
-    Raises
-    ------
-    FileExistsError
-        If the file exists and `overwrite` is False; it is left as it was.
-    OSError
-        If it cannot be written; nothing is left behind.
-    """
-    target = Path(path)
-    if target.exists() and not overwrite:
-        raise FileExistsError(f"{target} exists and is not overwritten")
-    content = data.encode() if isinstance(data, str) else data
-    try:
-        handle, temporary = tempfile.mkstemp(prefix=".rotorstab-", dir=target.parent)
-    except OSError as error:
-        # under the name that was asked for, not the temporary one
-        raise OSError(error.errno, error.strerror, str(target)) from None
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        mask = os.umask(0)
-        os.umask(mask)
-        Path(temporary).chmod(0o666 & ~mask)
-        os.replace(temporary, target)
-    except BaseException as error:
-        Path(temporary).unlink(missing_ok=True)
-        if isinstance(error, OSError):
-            raise OSError(error.errno, error.strerror, str(target)) from None
-        raise
-    return target
-
-
-def _comments(title: str, details: Iterable[str], parameters: Mapping[str, Any]) -> str:
-    """Return the comment lines that open a CSV file."""
-    lines = [title, *details]
-    if parameters:
-        lines.append("parameters, non-dimensional unless a unit is given:")
-        lines += [f"  {name} = {_plain(value)}" for name, value in parameters.items()]
-    return "".join(f"# {line}\n" for line in lines)
-
-
-def _plain(value: Any) -> str:
-    """Write a parameter so that it reads back exactly."""
-    return json.dumps(value, ensure_ascii=False)
-
-
-def _cell(value: Any) -> Any:
-    """Write a number so that it reads back exactly; NaN is an empty cell.
-
-    A text that a spreadsheet would compute, such as a pin's name that begins with "=", is quoted.
-    """
-    if isinstance(value, float | np.floating):
-        return "" if math.isnan(value) else repr(float(value))
-    if isinstance(value, str):
-        line = "".join(letter if letter.isprintable() else " " for letter in value)
-        return f"'{line}" if line.lstrip()[:1] in _COMPUTED and not _is_number(line) else line
-    return value
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def _csv_rows(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
-    stream = StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows([_cell(value) for value in row] for row in rows)
-    return stream.getvalue()
-
-
-def _json(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
-
-
-def _numbers(values: Iterable[float]) -> list[float | None]:
-    """Return plain numbers, None for NaN and infinities."""
-    return [float(value) if math.isfinite(value) else None for value in values]
 
 
 def figure_csv(figure: Figure) -> str:
@@ -170,18 +60,18 @@ def figure_csv(figure: Figure) -> str:
         for curve in curves
         for x, y in zip(*_points(curve, kind), strict=True)
     )
-    head = _comments(figure.heading, details, figure.parameters)
+    head = comment_lines(figure.heading, details, figure.parameters)
     header: tuple[str, ...] = ("panel", "kind", "name", "style", "x", "y")
     maps = [(panel, layer) for panel in figure.panels if (layer := growth_layer(panel))]
     if not maps:
-        return head + _csv_rows(header, rows)
+        return head + csv_rows(header, rows)
     pixels = (
         (panel.letter, "map", _growth_name(panel), "", x, y, value)
         for panel, layer in maps
         for (x, y), value in _pixels(layer)
     )
     wider = ((*row, math.nan) for row in rows)
-    return head + _csv_rows((*header, "value"), (row for part in (wider, pixels) for row in part))
+    return head + csv_rows((*header, "value"), (row for part in (wider, pixels) for row in part))
 
 
 def _curves(panel: Chart) -> tuple[tuple[str, tuple[Curve, ...]], ...]:
@@ -213,8 +103,8 @@ def _json_curve(curve: Curve, kind: str) -> dict[str, Any]:
         "name": curve.name,
         "group": curve.group,
         "style": curve.style,
-        "x": _numbers(x),
-        "y": _numbers(y),
+        "x": plain_numbers(x),
+        "y": plain_numbers(y),
     }
 
 
@@ -224,9 +114,9 @@ def _json_map(panel: Chart, layer: Layer) -> dict[str, Any]:
     return {
         "name": quantity.label(with_unit=False),
         "unit": quantity.unit,
-        "x": _numbers(x),
-        "y": _numbers(y),
-        "values": [_numbers(row) for row in np.asarray(layer.columns["rate"][0], float)],
+        "x": plain_numbers(x),
+        "y": plain_numbers(y),
+        "values": [plain_numbers(row) for row in np.asarray(layer.columns["rate"][0], float)],
     }
 
 
@@ -248,7 +138,7 @@ def _json_panel(panel: Chart) -> dict[str, Any]:
 
 def figure_json(figure: Figure) -> str:
     """Return a figure's parameters, arrays and reading as JSON text; gaps are null."""
-    return _json(
+    return json_text(
         {
             "figure": figure.number,
             "title": figure.title,
@@ -282,12 +172,12 @@ def table_csv(table: Table) -> str:
         for row in table.rows
     )
     header = ("quantity", "symbol", "unit", "paper", "rotorstab", "kind")
-    return _comments(table.title, (), {}) + _csv_rows(header, rows)
+    return comment_lines(table.title, (), {}) + csv_rows(header, rows)
 
 
 def table_json(table: Table) -> str:
     """Return a table as JSON text."""
-    return _json(
+    return json_text(
         {
             "title": table.title,
             "rows": [
@@ -313,7 +203,7 @@ def columns_csv(
 ) -> str:
     """Return named columns of equal length as CSV text with its comment lines."""
     rows = zip(*columns.values(), strict=True)
-    return _comments(title, details, parameters) + _csv_rows(list(columns), rows)
+    return comment_lines(title, details, parameters) + csv_rows(list(columns), rows)
 
 
 def columns_json(
@@ -332,7 +222,7 @@ def columns_json(
         ]
         for name, values in columns.items()
     }
-    return _json(
+    return json_text(
         {
             "title": title,
             "details": list(details),

@@ -8,7 +8,7 @@ against Floquet. `region_figure` makes the panels that Figs 4 to 7 and 9 have in
 from collections.abc import Callable
 
 from ..charts.figure import Figure, Statement
-from .conclusions import CONCLUSIONS
+from .conclusions import CONCLUSIONS, FLOQUET_CONCLUSIONS
 from .figure_2_axial_coefficients import figure_2
 from .figure_3_follower_coefficients import figure_3
 from .figure_4_finite_elements import figure_4
@@ -17,7 +17,6 @@ from .figure_6_axial_load import figure_6
 from .figure_7_follower_load import figure_7
 from .figure_8_load_frequency import figure_8
 from .figure_9_load_type import figure_9
-from .floquet_conclusions import FLOQUET_CONCLUSIONS
 from .own_rotor import own_regions
 from .table_1 import Row, Table, table_1
 

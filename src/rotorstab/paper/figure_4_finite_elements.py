@@ -115,8 +115,8 @@ def _read_text(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
         right_of(*(boundaries(panel, group) for group in groups(panel))) for panel in panels
     )
     second_frequency = [
-        np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(one.mass, one.elastic)).real)[1])
-        for one in (lumped(rotor, 0.0), finite_element(rotor, 0.0))
+        np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(system.mass, system.elastic)).real)[1])
+        for system in (lumped(rotor, 0.0), finite_element(rotor, 0.0))
     ]
     excess = float(second_frequency[0] / second_frequency[1] - 1)
     return (
@@ -147,8 +147,10 @@ def _percents(values: list[float]) -> str:
 
 def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
     """Compare what the text says with what Floquet finds unstable."""
-    first = [place(one) / place(other) - 1 for one, other in drawn]
-    second = [place(one, "2B+2F") / place(other, "2B+2F") - 1 for one, other in drawn]
+    first = [place(present) / place(comparator) - 1 for present, comparator in drawn]
+    second = [
+        place(present, "2B+2F") / place(comparator, "2B+2F") - 1 for present, comparator in drawn
+    ]
     widths = [[width(panel, group, 0.5) for group in groups(panel)] for panel in panels]
     ratio = [a / b - 1 for a, b in widths]
     return (

@@ -32,6 +32,8 @@ __all__ = ["figure_5"]
 
 Panels = tuple[Chart, ...]
 
+_TIMOSHENKO, _EULER = "Timoshenko", "Euler–Bernoulli"
+
 
 def figure_5(
     rotor: ShaftDisk = BASE_CASE,
@@ -66,8 +68,8 @@ def figure_5(
     frequency = fundamental_frequency(lumped(rotor, 0.0))
     twin = replace(rotor, shear=0.0)
     shafts: tuple[tuple[str, Style, ShaftDisk], ...] = (
-        ("Timoshenko", "solid", rotor),
-        ("Euler–Bernoulli", "dashed", twin),
+        (_TIMOSHENKO, "solid", rotor),
+        (_EULER, "dashed", twin),
     )
     drawn = []
     for letter, spin in lettered("spin_speeds", spin_speeds):
@@ -97,35 +99,37 @@ def figure_5(
     return replace(figure, reading=reading)
 
 
-def _widths(panel: Chart, group: str, factor_index: int) -> float:
-    left, right = boundaries(panel, group, ("1B", "1F"))[:, factor_index]
-    return float(right - left)
-
-
 def _read_text(
     panels: Panels, rotor: ShaftDisk, static_factor: float, last_speed: float
 ) -> tuple[Statement, ...]:
     """Compare what the text says with Bolotin's regions; the last panel has Ω̄ = `last_speed`."""
+    return (
+        *_read_shear(panels, _own_start(rotor, static_factor, last_speed), last_speed),
+        *_read_spin(panels),
+    )
+
+
+def _own_start(rotor: ShaftDisk, static_factor: float, spin_speed: float) -> float:
+    """Return θ/ω_n at which the left Euler–Bernoulli boundary starts with its own p̄_cr."""
+    twin = lumped(replace(rotor, shear=0.0), spin_speed)
+    start = boundary_frequencies(twin, static_factor * critical_load(0.0), 0.0)[0]
+    return float(start / fundamental_frequency(lumped(rotor, 0.0)))
+
+
+def _middle_widths(panels: Panels, group: str) -> list[float]:
+    """Return the width of the first region at the middle β_d."""
+    edges = [boundaries(panel, group, ("1B", "1F"))[:, 10] for panel in panels]
+    return [float(right - left) for left, right in edges]
+
+
+def _read_shear(panels: Panels, own: float, last_speed: float) -> tuple[Statement, ...]:
     facts = []
     for panel in panels:
         timoshenko, euler = (boundaries(panel, group) for group in groups(panel))
         facts.append(right_of(euler, timoshenko))
-    twin = replace(rotor, shear=0.0)
-    scale = fundamental_frequency(lumped(rotor, 0.0))
-    own = float(
-        boundary_frequencies(lumped(twin, last_speed), static_factor * critical_load(0.0), 0.0)[0]
-        / scale
-    )
     first, shared = (float(boundaries(panels[-1], group)[0, 0]) for group in groups(panels[-1]))
-    widths = [_widths(panel, "Timoshenko", 10) for panel in panels]
-    euler_widths = [_widths(panel, "Euler–Bernoulli", 10) for panel in panels]
+    widths, euler_widths = (_middle_widths(panels, group) for group in (_TIMOSHENKO, _EULER))
     wider = [a > b for a, b in zip(widths, euler_widths, strict=True)]
-    edges = [boundaries(panel, "Timoshenko", ("1B", "1F"))[:, 10] for panel in panels]
-    ordered = all(
-        right_of(lines[1], lines[0]) and right_of(lines[3], lines[2])
-        for lines in (boundaries(panel, "Timoshenko") for panel in panels)
-    )
-    outward = all(a[0] > b[0] and a[1] < b[1] for a, b in pairwise(edges))
     return (
         Statement(
             "The Euler–Bernoulli regions are shifted away from the β_d axis.",
@@ -140,17 +144,27 @@ def _read_text(
             "Shear deformation is destabilising.",
             say(all(facts), "It moves", "It does not always move")
             + " the regions to lower frequency. Width of the first at the middle β_d, "
-            f"with shear {', '.join(f'{w:.3f}' for w in widths)}, without "
-            f"{', '.join(f'{w:.3f}' for w in euler_widths)}.",
+            f"with shear {listed(widths)}, without {listed(euler_widths)}.",
             judge(all(facts), all(wider)),
             f"Of the position; the region is wider with shear in {sum(wider)} of {len(wider)} "
             "panels.",
         ),
+    )
+
+
+def _read_spin(panels: Panels) -> tuple[Statement, ...]:
+    widths = _middle_widths(panels, _TIMOSHENKO)
+    edges = [boundaries(panel, _TIMOSHENKO, ("1B", "1F"))[:, 10] for panel in panels]
+    ordered = all(
+        right_of(lines[1], lines[0]) and right_of(lines[3], lines[2])
+        for lines in (boundaries(panel, _TIMOSHENKO) for panel in panels)
+    )
+    outward = all(a[0] > b[0] and a[1] < b[1] for a, b in pairwise(edges))
+    return (
         Statement(
             "With the rotational speed the boundaries move outward and the widths increase "
             "drastically.",
-            "Width of the first region at the middle β_d: "
-            f"{', '.join(f'{w:.3f}' for w in widths)}.",
+            f"Width of the first region at the middle β_d: {listed(widths)}.",
             judge(outward, all(a < b for a, b in pairwise(widths))),
             "The width of a spinning rotor's region stays finite at β_d = 0, where the rotor "
             "is plainly stable: a Bolotin region, not instability.",
@@ -190,7 +204,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
         common = tongues(soft).keys() & tongues(stiff).keys()
         lower.append(all(place(soft, name) < place(stiff, name) for name in common))
         faster.append(growth(soft) > growth(stiff))
-    with_shear, without = ([growth(one[k]) for one in drawn] for k in (0, 1))
+    with_shear, without = ([growth(pair[k]) for pair in drawn] for k in (0, 1))
     group = groups(panels[0])[0]
     widths = [width(panel, group, 0.5) for panel in panels]
     return (

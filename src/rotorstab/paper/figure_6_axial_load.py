@@ -59,7 +59,7 @@ def _read_text(panels: Panels) -> tuple[Statement, ...]:
     for panel in panels:
         lines = [boundaries(panel, group) for group in groups(panel)]
         facts.append(all(right_of(a, b) for a, b in pairwise(lines)))
-        steps = " → ".join(f"{one[0, 0]:.3f}…{one[1, 0]:.3f}" for one in lines)
+        steps = " → ".join(f"{edges[0, 0]:.3f}…{edges[1, 0]:.3f}" for edges in lines)
         numbers.append(f"{panel.title}: {steps}")
     return (
         Statement(

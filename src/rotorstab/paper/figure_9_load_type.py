@@ -106,14 +106,17 @@ def _lowest(variant: Variant) -> str:
 
 def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
     """Compare what the text says with what Floquet finds unstable."""
-    lowest = [[place(one, _lowest(one)) for one in pair] for pair in drawn]
+    lowest = [[place(variant, _lowest(variant)) for variant in pair] for pair in drawn]
     lower = [axial < follower for axial, follower in lowest]
-    rates = [[strongest(one) for one in pair] for pair in drawn]
+    rates = [[strongest(variant) for variant in pair] for pair in drawn]
     stronger = [axial[1] > follower[1] for axial, follower in rates]
     shares = [[area(panel, group) for group in groups(panel)] for panel in panels]
     larger = [axial > follower for axial, follower in shares]
     scaled = [
-        [value / fundamental_frequency(one.system) for value, one in zip(row, pair, strict=True)]
+        [
+            value / fundamental_frequency(variant.system)
+            for value, variant in zip(row, pair, strict=True)
+        ]
         for row, pair in zip(lowest, drawn, strict=True)
     ]
     return (
@@ -128,7 +131,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
             + ".",
             uphold(*lower),
             "They are not the same tongue: under the follower force the lowest is "
-            + ", ".join(_lowest(one) for _, one in drawn)
+            + ", ".join(_lowest(variant) for _, variant in drawn)
             + f" ({', '.join(panel.title for panel in panels)}).",
         ),
         Statement(

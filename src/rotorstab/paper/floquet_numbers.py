@@ -53,7 +53,7 @@ def growth(variant: Variant, name: str = PRINCIPAL) -> float:
 
 def strongest(variant: Variant) -> tuple[str, float]:
     """Return the strongest tongue and its growth rate per β_d."""
-    row = max(tongues(variant).values(), key=lambda one: one.growth_per_load)
+    row = max(tongues(variant).values(), key=lambda tongue: tongue.growth_per_load)
     return row.name, row.growth_per_load * variant.reference_load
 
 
@@ -85,10 +85,10 @@ def separating(variant: Variant, factor: float = 0.1) -> int:
 def width(panel: Chart, group: str, factor: float, name: str = PRINCIPAL) -> float:
     """Return the width in θ/ω_n of a tongue of first order at one β_d, 0 where it is not."""
     widths = []
-    for one in panel.unstable:
-        y, left, right = one.edges
-        first = one.pair == name and one.order == 1
-        if one.group == group and first and y[0] <= factor <= y[-1]:
+    for outline in panel.unstable:
+        y, left, right = outline.edges
+        first = outline.pair == name and outline.order == 1
+        if outline.group == group and first and y[0] <= factor <= y[-1]:
             widths.append(np.interp(factor, y, right) - np.interp(factor, y, left))
     return float(max(widths, default=0.0))
 
@@ -96,7 +96,7 @@ def width(panel: Chart, group: str, factor: float, name: str = PRINCIPAL) -> flo
 def area(panel: Chart, group: str) -> float:
     """Return the unstable share of the panel's window, from `LOWEST` on."""
     window = (panel.x_range[1] - LOWEST) * panel.y_range[1]
-    parts = [one.edges for one in panel.unstable if one.group == group]
+    parts = [outline.edges for outline in panel.unstable if outline.group == group]
     return float(sum(np.trapezoid(right - left, y) for y, left, right in parts) / window)
 
 
@@ -105,9 +105,9 @@ def _mask(panel: Chart, regions: Sequence[Curve], group: str) -> NDArray[np.bool
     columns = np.linspace(LOWEST, panel.x_range[1], _GRID[0])
     rows = (np.arange(_GRID[1]) + 0.5) / _GRID[1] * panel.y_range[1]
     inside = np.zeros((rows.size, columns.size), dtype=bool)
-    for one in regions:
-        if one.group == group:
-            y, left, right = one.edges
+    for region in regions:
+        if region.group == group:
+            y, left, right = region.edges
             here = np.flatnonzero((rows >= y[0]) & (rows <= y[-1]))
             low, high = (np.interp(rows[here], y, edge)[:, None] for edge in (left, right))
             inside[here] |= (columns >= low) & (columns <= high)

@@ -28,20 +28,20 @@ say what of it Floquet upholds.
 """
 
 
-def _row(one: Published) -> str:
+def _row(entry: Published) -> str:
     """Return one line of the table."""
-    ours = round(one.ours(), one.decimals + 1)
-    difference = round(ours - one.value, one.decimals + 1) + 0.0  # no −0
-    met = "yes" if abs(difference) <= one.allowed * (1 + 1e-9) else "**no**"
+    ours = round(entry.ours(), entry.decimals + 1)
+    difference = round(ours - entry.value, entry.decimals + 1) + 0.0  # no −0
+    met = "yes" if abs(difference) <= entry.allowed * (1 + 1e-9) else "**no**"
     cells = (
-        one.quantity,
-        one.unit,
-        f"{one.value:.{one.decimals}f}",
-        f"{ours:.{one.decimals + 1}f}",
-        f"{difference:.{one.decimals + 1}f}",
-        f"{one.allowed:g}",
+        entry.quantity,
+        entry.unit,
+        f"{entry.value:.{entry.decimals}f}",
+        f"{ours:.{entry.decimals + 1}f}",
+        f"{difference:.{entry.decimals + 1}f}",
+        f"{entry.allowed:g}",
         met,
-        one.source + (f"; {one.note}" if one.note else ""),
+        entry.source + (f"; {entry.note}" if entry.note else ""),
     )
     return "| " + " | ".join(cells) + " |"
 
@@ -49,9 +49,11 @@ def _row(one: Published) -> str:
 def _statements(statements: Iterable[Statement]) -> list[str]:
     """Return a list of statements with their verdicts."""
     lines = []
-    for one in statements:
-        lines.append(f"- **{one.verdict}.** {one.text}")
-        lines.append(f"  Ours: {one.ours}" + (f" *{one.note}*" if one.note else ""))
+    for statement in statements:
+        lines.append(f"- **{statement.verdict}.** {statement.text}")
+        lines.append(
+            f"  Ours: {statement.ours}" + (f" *{statement.note}*" if statement.note else "")
+        )
     return lines
 
 
@@ -66,13 +68,13 @@ def validation_markdown() -> str:
         paper's conclusions, each with its verdict by the paper's method and by Floquet.
     """
     lines = [_HEAD]
-    for section in dict.fromkeys(one.section for one in PUBLISHED):
+    for section in dict.fromkeys(entry.section for entry in PUBLISHED):
         lines += [
             f"## {section}",
             "",
             "| quantity | unit | published | ours | difference | allowed | met | source |",
             "|---|---|---:|---:|---:|---:|---|---|",
-            *(_row(one) for one in PUBLISHED if one.section == section),
+            *(_row(entry) for entry in PUBLISHED if entry.section == section),
             "",
         ]
     lines += ["## What the text says of each figure", ""]

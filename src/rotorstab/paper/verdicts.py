@@ -75,15 +75,15 @@ def boundaries(panel: Chart, group: str, modes: tuple[str, ...] = _MODES) -> Arr
     return np.array([np.interp(factors, line.y, line.x) for line in lines])
 
 
-def right_of(one: Array, other: Array) -> bool:
-    """Return whether one lies at or right of the other wherever both are real."""
-    both = np.isfinite(one) & np.isfinite(other)
-    return bool((one[both] >= other[both] - 1e-9).all() and both.any())
+def right_of(first: Array, second: Array) -> bool:
+    """Return whether the first lies at or right of the second wherever both are real."""
+    both = np.isfinite(first) & np.isfinite(second)
+    return bool((first[both] >= second[both] - 1e-9).all() and both.any())
 
 
 def groups(panel: Chart) -> list[str]:
     """Return the names of a panel's groups, in the order of drawing."""
-    return list(dict.fromkeys(one.group for one in panel.series))
+    return list(dict.fromkeys(line.group for line in panel.series))
 
 
 def percent(value: float) -> str:

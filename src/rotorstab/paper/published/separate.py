@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -46,7 +47,10 @@ def _tongue(spin: float, tangency: float, name: str, which: int) -> float:
 
 def separate() -> list[Published]:
     """Return whirl, boundary, tongue and flutter values of the base case and of Table 1."""
-    quartic = "separate solution of the quartic"
+    return [*_base_whirls(), *_boundaries(), *_table_1_whirls(), *_tongues(), *_flutter_loads()]
+
+
+def _base_whirls() -> list[Published]:
     cases: list[tuple[float, float, float, tuple[str, ...]]] = [
         (0.0, 0.0, 0.0, ("-2.41457", "-0.64669", "0.64669", "2.41457")),
         (1.0, 0.0, 0.0, ("-1.93485", "-0.40411", "0.90922", "3.42974")),
@@ -56,39 +60,45 @@ def separate() -> list[Published]:
     ]
     names = ("2B", "1B", "1F", "2F")
     buckling = float(critical_load(BASE_CASE.shear))
-    items = [
+    return [
         item(
             DERIVED,
             f"ω̄ of {names[root]}, Ω̄ = {spin:g}, α_s = {factor:g}"
             + (", follower" if tangency else ""),
             "-",
             printed,
-            quartic,
+            "separate solution of the quartic",
             partial(_whirl, spin, tangency, factor * buckling, root),
         )
         for spin, tangency, factor, row in cases
         for root, printed in enumerate(row)
     ]
-    bounds: list[tuple[float, float, float, tuple[str, ...]]] = [
+
+
+def _boundaries() -> list[Published]:
+    cases: list[tuple[float, float, float, tuple[str, ...]]] = [
         (0.0, 0.0, 0.5, ("1.73774", "2.23094")),
         (0.0, 0.0, 1.0, ("1.42699", "2.43947")),
         (0.0, 0.5, 0.5, ("1.02453", "1.73774")),
         (2.0, 0.5, 0.0, ("0.48821", "2.86540")),
         (2.0, 0.5, 0.5, ("0.42637", "2.86513")),
     ]
-    items += [
+    return [
         item(
             DERIVED,
-            f"θ/ω_n of boundary {root + 1}, Ω̄ = {spin:g}, α_s = {a:g}, β_d = {b:g}",
+            f"θ/ω_n of boundary {root + 1}, Ω̄ = {spin:g}, α_s = {static:g}, β_d = {pulsating:g}",
             "-",
             printed,
             "separate solution of Eq. (24)",
-            partial(_boundary, spin, a, b, root),
+            partial(_boundary, spin, static, pulsating, root),
         )
-        for spin, a, b, row in bounds
+        for spin, static, pulsating, row in cases
         for root, printed in enumerate(row)
     ]
-    table: list[tuple[str, float, float, str, str]] = [
+
+
+def _table_1_whirls() -> list[Published]:
+    cases: list[tuple[str, float, float, str, str]] = [
         ("lumped", 0, 0.0, "2F", "1019.46"),
         ("fe", 0, 0.0, "1F", "146.811"),
         ("fe", 0, 0.0, "2F", "879.68"),
@@ -102,7 +112,7 @@ def separate() -> list[Published]:
         ("fe", 1000, 0.0, "2F", "962.180"),
     ]
     words = {"lumped": "lumped", "fe": "finite elements"}
-    items += [
+    return [
         item(
             DERIVED,
             f"Table 1's rotor, {mode}, {rpm:g} r.p.m., α_s = {factor:g}, {words[model]}",
@@ -111,64 +121,59 @@ def separate() -> list[Published]:
             "separate code of the same model",
             partial(table_1_whirl, model, rpm, factor, mode),
         )
-        for model, rpm, factor, mode, printed in table
+        for model, rpm, factor, mode, printed in cases
     ]
-    tongues: list[tuple[float, float, str, str, str]] = [
-        (1.0, 0.0, "1B+1F", "1.5347", "0.18482"),
-        (1.0, 0.0, "2B+1F", "4.0422", "0.06944"),
-        (1.0, 0.0, "2B+2F", "8.1423", "0.03991"),
-        (1.0, 0.0, "1B+2F", "5.6348", "0.00613"),
-        (2.0, 1.0, "1B+2B", "1.9877", "0.10322"),
-        (2.0, 1.0, "2B+1F", "4.0895", "0.05647"),
-        (2.0, 1.0, "2B+2F", "10.0354", "0.07071"),
-        (2.0, 1.0, "1F+2F", "5.9459", "0.02536"),
+
+
+def _tongues() -> list[Published]:
+    cases: list[tuple[float, float, str, tuple[str, str]]] = [
+        (1.0, 0.0, "1B+1F", ("1.5347", "0.18482")),
+        (1.0, 0.0, "2B+1F", ("4.0422", "0.06944")),
+        (1.0, 0.0, "2B+2F", ("8.1423", "0.03991")),
+        (1.0, 0.0, "1B+2F", ("5.6348", "0.00613")),
+        (2.0, 1.0, "1B+2B", ("1.9877", "0.10322")),
+        (2.0, 1.0, "2B+1F", ("4.0895", "0.05647")),
+        (2.0, 1.0, "2B+2F", ("10.0354", "0.07071")),
+        (2.0, 1.0, "1F+2F", ("5.9459", "0.02536")),
     ]
-    for spin, tangency, name, centre, growth in tongues:
-        case = f"tongue {name}, {'follower' if tangency else 'axial'}, Ω̄ = {spin:g}, α_s = 0.5"
-        source = "separate code, checked by Floquet"
-        items += [
-            item(
-                DERIVED,
-                f"θ/ω_n of {case}",
-                "-",
-                centre,
-                source,
-                partial(_tongue, spin, tangency, name, 0),
-            ),
-            item(
-                DERIVED,
-                f"growth over β_d of {case}",
-                "-",
-                growth,
-                source,
-                partial(_tongue, spin, tangency, name, 1),
-            ),
-        ]
-    follower = "separate code, merging roots"
+    quantities = ("θ/ω_n", "growth over β_d")
     return [
-        *items,
         item(
             DERIVED,
-            "flutter load at rest, linear coefficients",
-            "EI/L²",
+            f"{quantities[which]} of tongue {name}, {'follower' if tangency else 'axial'}, "
+            f"Ω̄ = {spin:g}, α_s = 0.5",
+            "-",
+            printed,
+            "separate code, checked by Floquet",
+            partial(_tongue, spin, tangency, name, which),
+        )
+        for spin, tangency, name, row in cases
+        for which, printed in enumerate(row)
+    ]
+
+
+def _flutter_loads() -> list[Published]:
+    cases: list[tuple[str, str, str, Callable[[], float]]] = [
+        (
+            "linear coefficients",
             "6.29010",
-            follower,
+            "separate code, merging roots",
             lambda: flutter_load(lumped(BASE_CASE, 0.0, 1.0)),
         ),
-        item(
-            DERIVED,
-            "flutter load at rest, exact coefficients",
-            "EI/L²",
+        (
+            "exact coefficients",
             "5.97797",
-            follower,
+            "separate code, merging roots",
             lambda: flutter_load(lumped(BASE_CASE, 0.0, 1.0, stiffness="exact")),
         ),
-        item(
-            DERIVED,
-            "flutter load at rest, distributed shaft",
-            "EI/L²",
+        (
+            "distributed shaft",
             "6.0268",
             "mesh limit of a separate code",
             lambda: flutter_load(finite_element(BASE_CASE, 0.0, 1.0, 80, 10), 8.0),
         ),
+    ]
+    return [
+        item(DERIVED, f"flutter load at rest, {model}", "EI/L²", printed, source, ours)
+        for model, printed, source, ours in cases
     ]

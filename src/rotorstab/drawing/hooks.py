@@ -1,0 +1,159 @@
+"""What HoloViews has no option for: hover tools, and hooks that finish its Bokeh figures."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .._arguments import extra_is_missing
+
+try:
+    from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool
+except ImportError as error:
+    raise extra_is_missing(__name__, error) from error
+
+from ..charts import Chart
+
+__all__ = [
+    "apply_hatch",
+    "apply_label_places",
+    "apply_line_styles",
+    "bare_colours",
+    "finish",
+    "hover",
+    "hover_names",
+    "make_square",
+    "map_hover",
+    "per_period",
+]
+
+_SHORT_TICKS = """
+const value = Number(tick.toPrecision(4)), size = Math.abs(value)
+const far = size >= 1e4 || (size > 0 && size < 1e-3)
+return (far ? value.toExponential().replace("e+", "e") : String(value)).replaceAll("-", "−")
+"""
+
+
+def _growth_name(chart: Chart) -> str:
+    return "growth σ [1/s]" if chart.in_si else "growth σ̄"
+
+
+def hover_names(chart: Chart) -> list[str]:
+    """Return the hover's names of abscissa, ordinate and growth, in the chart's units."""
+    return [chart.x.name(chart.in_si), chart.y.name(chart.in_si), _growth_name(chart)]
+
+
+def hover(chart: Chart) -> HoverTool:
+    """Return a hover tool that names the mark and gives the point in the chart's symbols."""
+    x, y, _ = hover_names(chart)
+    return HoverTool(
+        tooltips=[("", "@name"), (x, "$x{0.000}"), (y, "$y{0.000}")],
+        line_policy="nearest",
+        visible=False,
+    )
+
+
+def map_hover(chart: Chart) -> HoverTool:
+    """Return a hover tool that gives the place, the growth and both verdicts."""
+    words = CustomJSHover(
+        code="""
+        return ["stable by both", "Floquet: unstable, Bolotin: no region",
+                "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
+        """
+    )
+    x, y, growth = hover_names(chart)
+    return HoverTool(
+        tooltips=[
+            (x, "$x{0.000}"),
+            (y, "$y{0.000}"),
+            (growth, "@rate{custom}"),
+            ("verdict", "@verdict{custom}"),
+        ],
+        formatters={"@verdict": words},
+        visible=False,
+    )
+
+
+def apply_line_styles(plot: Any, _: Any) -> None:
+    """Let every line of a layer take its own colour, dash and width from the source."""
+    glyph = plot.handles["glyph"]
+    glyph.line_color, glyph.line_dash, glyph.line_width = (
+        {"field": name} for name in ("color", "dash", "width")
+    )
+    glyph.line_cap = "butt"
+
+
+def apply_hatch(plot: Any, _: Any) -> None:
+    """Hatch the regions: shading alone is too faint a sign."""
+    plot.handles["glyph"].update(
+        hatch_pattern="right_diagonal_line",
+        hatch_color="#8a93a0",
+        hatch_alpha=0.3,
+        hatch_scale=9,
+        hatch_weight=0.8,
+    )
+
+
+def apply_label_places(plot: Any, _: Any) -> None:
+    """Let every label stand on its own side of its point."""
+    plot.handles["glyph"].update(
+        text_align={"field": "align"},
+        text_baseline={"field": "baseline"},
+        x_offset={"field": "dx"},
+        y_offset={"field": "dy"},
+        background_fill_color="white",
+        background_fill_alpha=0.7,
+    )
+
+
+def finish(plot: Any, _: Any) -> None:
+    """Settle what HoloViews has no option for."""
+    figure = plot.state
+    figure.toolbar.logo = None
+    figure.toolbar.active_drag = next(
+        tool for tool in figure.toolbar.tools if type(tool).__name__ == "BoxZoomTool"
+    )
+    figure.toolbar.active_scroll = None
+    # the page's own ground shows through, light or dark
+    figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
+    for axis in figure.axis:
+        # plain digits as far as they fit
+        axis.formatter.update(power_limit_high=7)
+        axis.update(
+            axis_label_text_font_style="normal",
+            axis_label_text_font_size="14px",
+            major_label_text_font_size="12px",
+            minor_tick_line_color=None,
+        )
+
+
+def make_square(plot: Any, _: Any) -> None:
+    """Give the frame borders of one size, so that a square place makes equal scales."""
+    # no toolbar: it would take its height from the frame
+    plot.state.update(
+        toolbar_location=None,
+        min_border_left=64,
+        min_border_right=14,
+        min_border_top=14,
+        min_border_bottom=64,
+    )
+    for axis in plot.state.axis:
+        # few and short, so that they stay apart at any size of the motion
+        axis.ticker.desired_num_ticks = 4
+        axis.formatter = CustomJSTickFormatter(code=_SHORT_TICKS)
+
+
+def bare_colours(plot: Any, _: Any) -> None:
+    """Let what is not a number stay clear, and forget HoloViews' own range."""
+    plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
+
+
+def per_period(plot: Any, _: Any) -> None:
+    """Let the hover give the growth per unit of time and per period of the load."""
+    words = CustomJSHover(
+        args={"source": plot.handles["source"]},
+        code="""
+        const period = 2 * Math.PI / (special_vars.x * source.data.frequency[0])
+        return value ? `${value.toFixed(4)}, ${(value * period).toFixed(3)} a period` : "none"
+        """,
+    )
+    plot.handles["hover"].formatters |= {"@rate": words}
