@@ -99,9 +99,10 @@ def widened(stretch: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _growing(frequencies: NDArray[np.complex128]) -> NDArray[np.bool_]:
-    """Return where whirls (m, 2n) grow, or are the decaying twin of one: a conjugate pair.
+    """Return where whirls (m, 2n) grow, and where they are the decaying half of such a pair.
 
-    Without damping a pair that has met shares its real part, and one of the two grows.
+    Without damping two frequencies that have met are complex conjugates: one whirl grows, the
+    other decays, and both have one Re ω.
     """
     size = np.abs(frequencies)
     grows = (frequencies.imag < 0) & ~is_real(frequencies)

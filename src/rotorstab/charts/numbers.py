@@ -29,7 +29,7 @@ def load_unit(scales: Scales) -> str:
 
 
 def written(value: float, digits: int = 4) -> str:
-    r"""Return a number of so many digits at most, without an exponent where plain digits do.
+    r"""Return a number with at most `digits` significant digits, without exponent where possible.
 
     >>> written(15320.4), written(-0.00125), written(3.83e-7)
     ('15\u202f320', '−0.00125', '3.83 × 10⁻⁷')

@@ -1,4 +1,4 @@
-"""Charts in SI: the one place where axes, marks and hover texts take units."""
+"""Charts in SI: the only place where axes, marks, maps and names are converted for a picture."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _axes(
 def chart_factors(
     key: str, scales: Scales, fundamental_frequency: float, reference_load: float
 ) -> tuple[float, float]:
-    """Return what one unit of each axis is in SI; (1, 1) for a chart without dimensions.
+    """Return what one unit of each axis is in SI: (1, 1) for a chart without dimensions.
 
     Parameters
     ----------

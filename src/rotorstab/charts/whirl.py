@@ -17,7 +17,7 @@ __all__ = ["campbell_chart", "load_frequency_chart"]
 
 
 def _span(curves: WhirlCurves) -> tuple[float, float]:
-    """Return the least and the largest Re ω̄ of modes 1 and 2: finite elements have many more."""
+    """Return the least and the largest Re ω̄ of modes 1 and 2; finite elements have more."""
     shown = [mode.number <= 2 for mode in modes(curves.names)]
     real = curves.frequencies.real[:, shown]
     return float(real.min()), float(real.max())
@@ -63,7 +63,7 @@ def load_frequency_chart(
     Parameters
     ----------
     curves : mapping of {"axial", "follower", "axial exact", "follower exact"} to WhirlCurves
-        What to draw; the first one's range is the chart's.
+        What to draw; the chart has the range of the first curves.
     static_load : float
         The present p̄₀, marked.
     limits : mapping of str to float

@@ -144,7 +144,7 @@ def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> by
 
 
 def run_figure(arguments: argparse.Namespace) -> None:
-    """Write or read out one figure of the paper, or write all."""
+    """Print the reading of a figure of the paper, write it to a file, or write all figures."""
     if (arguments.number is None) == (arguments.all is None):
         raise ValueError("give either a figure's number, 2 to 9, or --all DIRECTORY")
     if arguments.all is not None:
@@ -165,7 +165,7 @@ def run_figure(arguments: argparse.Namespace) -> None:
 
 
 def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Namespace) -> None:
-    """Write every figure and the table; nothing if any file is in the way."""
+    """Write every figure and the table, or nothing if a file exists and may not be overwritten."""
     force = arguments.force
     known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
     for name in formats:
@@ -281,7 +281,7 @@ def run_whirl(arguments: argparse.Namespace) -> None:
 
 
 def run_regions(arguments: argparse.Namespace) -> None:
-    """Write or print the Bolotin regions of an own rotor."""
+    """Write or print the Bolotin regions of a rotor that the arguments describe."""
     figure = own_regions(
         _system(arguments),
         arguments.shear,

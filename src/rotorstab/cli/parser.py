@@ -60,7 +60,7 @@ def _version() -> str:
 
 
 class _Sweep(argparse.Action):
-    """Several values of one argument; what may be meant as a decimal comma is told."""
+    """Several values of one argument, with a warning where a comma may mean a decimal point."""
 
     def __call__(
         self,
@@ -84,7 +84,7 @@ class _Sweep(argparse.Action):
 
 
 def _joined(argv: Sequence[str]) -> list[str]:
-    """Return arguments in which a value such as -0.5:0.5:3 is not taken for an option."""
+    """Join an option and a value such as -0.5:0.5:3, which would be read as an option itself."""
     joined: list[str] = []
     for word in argv:
         negative = re.match(r"[-−](\d|\.|inf|nan)", word)
@@ -200,7 +200,7 @@ def _complain(line: str) -> int:
 
 
 def _no_output(reason: str | None) -> int:
-    """Say that stdout takes nothing, and have nothing more written to it at exit."""
+    """Report that stdout cannot be written, and redirect what is still in its buffer to nowhere."""
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return _complain(f"the output could not be written: {reason}")
@@ -237,7 +237,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(argv: Sequence[str]) -> int:
-    """Run a command; an OSError without a file's name is of stdout, and is handed on."""
+    """Run a command; an OSError without the name of a file comes from stdout and is not caught."""
     try:
         arguments = _parser().parse_args(_joined(argv))
         # a number past double precision ends here, not in a table of NaN and a warning

@@ -106,7 +106,7 @@ def apply_label_places(plot: Any, _: Any) -> None:
 
 
 def finish(plot: Any, _: Any) -> None:
-    """Settle what HoloViews has no option for."""
+    """Set the toolbar, the grounds and the axes, for which HoloViews has no option."""
     figure = plot.state
     figure.toolbar.logo = None
     figure.toolbar.active_drag = next(
@@ -143,7 +143,7 @@ def make_square(plot: Any, _: Any) -> None:
 
 
 def bare_colours(plot: Any, _: Any) -> None:
-    """Let what is not a number stay clear, and forget HoloViews' own range."""
+    """Leave pixels that are not a number transparent."""
     plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
 
 

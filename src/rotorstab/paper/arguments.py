@@ -33,7 +33,7 @@ def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
 
 
 def _paired(name: str, keys: Sequence[K], values: Sequence[T]) -> list[tuple[K, T]]:
-    """Return each value with a key of its own; ValueError where there are too many or none."""
+    """Return each value with its key; raise ValueError where there are too many values or none."""
     if not 1 <= len(values) <= len(keys):
         raise ValueError(f"`{name}` must have 1 to {len(keys)} values, got {len(values)}")
     return list(zip(keys[: len(values)], values, strict=True))

@@ -83,7 +83,7 @@ def separating(variant: Variant, factor: float = 0.1) -> int:
 
 
 def width(panel: Chart, group: str, factor: float, name: str = PRINCIPAL) -> float:
-    """Return the width in θ/ω_n of a tongue of first order at one β_d, 0 where it is not."""
+    """Return the width in θ/ω_n of a tongue of first order at one β_d, 0 where it has none."""
     widths = []
     for outline in panel.unstable:
         y, left, right = outline.edges

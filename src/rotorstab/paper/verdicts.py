@@ -48,7 +48,7 @@ def listed(values: Iterable[float], decimals: int = 3) -> str:
 
 
 def by_panel(panels: Sequence[Chart], rows: Sequence[Sequence[float]]) -> str:
-    """Write the numbers of every panel as steps."""
+    """Write the numbers of every panel, joined by arrows."""
     return "; ".join(
         f"{panel.title}: {' → '.join(f'{x:.3f}' for x in row)}"
         for panel, row in zip(panels, rows, strict=True)
@@ -61,7 +61,7 @@ def titles(panels: Sequence[Chart]) -> str:
 
 
 def say(fact: bool | np.bool_, yes: str, no: str) -> str:
-    """Return the words that the fact calls for."""
+    """Return one text where the fact holds, the other where it does not."""
     return yes if fact else no
 
 

@@ -18,7 +18,7 @@ __all__ = ["conclusion_a", "survival_a"]
 
 
 def conclusion_a() -> Statement:
-    """Return (a): left boundaries are backward modes, right ones forward modes."""
+    """Judge (a) on Bolotin's regions: each one lies between the two modes of one number."""
     buckling = float(critical_load(BASE_CASE.shear))
     signs = [
         np.sign(whirl[np.argsort(np.abs(whirl))])
@@ -39,7 +39,7 @@ def conclusion_a() -> Statement:
 
 
 def survival_a() -> Statement:
-    """Return (a): whether Bolotin's boundaries bound anything."""
+    """Judge (a) by Floquet: whether Bolotin's boundaries separate stable from unstable."""
     cases = [(spin, mu, factor) for spin in SPINS for mu in (0.0, 1.0) for factor in FACTORS]
     counts = {case: separating(base_variant(*case)) for case in cases}
     rest = [n for (spin, _, _), n in counts.items() if spin == 0]

@@ -21,7 +21,7 @@ __all__ = ["conclusion_b", "survival_b"]
 
 
 def conclusion_b() -> Statement:
-    """Return (b): shear and the gyroscopic moment are destabilising."""
+    """Judge (b) on Bolotin's regions: shear and the gyroscopic moment are destabilising."""
     figure = figure_5()
     lower = [
         right_of(boundaries(panel, "Euler–Bernoulli"), boundaries(panel, "Timoshenko"))
@@ -52,7 +52,7 @@ def conclusion_b() -> Statement:
 
 
 def survival_b() -> Statement:
-    """Return (b): shear and the gyroscopic moment, one by one."""
+    """Judge (b) by Floquet: growth, width and area with and without shear, and over spin speed."""
     with_shear = [base_variant(spin) for spin in SPINS]
     without = [base_variant(spin, rotor=EULER_BERNOULLI_TWIN) for spin in SPINS]
     rates, stiff = ([growth(variant) for variant in row] for row in (with_shear, without))

@@ -15,7 +15,7 @@ __all__ = ["conclusion_c", "survival_c"]
 
 
 def conclusion_c() -> Statement:
-    """Return (c): a higher static load factor brings resonance at lower frequency."""
+    """Judge (c) on Bolotin's regions: a higher static load lowers every boundary."""
     kept, shifts = [], []
     for panel in figure_6().panels:
         lines = [boundaries(panel, group) for group in groups(panel)]
@@ -34,7 +34,7 @@ def conclusion_c() -> Statement:
 
 
 def survival_c() -> Statement:
-    """Return (c): the place of every tongue over the static load factor."""
+    """Judge (c) by Floquet: the root of every tongue over the static load factor."""
     steps, moves = [], []
     for spin in SPINS:
         row = [base_variant(spin, 0.0, factor) for factor in FACTORS]

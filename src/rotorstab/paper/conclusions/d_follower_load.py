@@ -15,7 +15,7 @@ __all__ = ["conclusion_d", "survival_d"]
 
 
 def conclusion_d() -> Statement:
-    """Return (d): under a follower load the first region moves inward and narrows."""
+    """Judge (d) on Bolotin's regions: the first one moves inward and narrows."""
     left, right, narrower, changes = [], [], [], []
     panels = [panel for panel in figure_7().panels if panel.title != "Ω̄ = 0"]
     for panel in panels:
@@ -37,7 +37,7 @@ def conclusion_d() -> Statement:
 
 
 def survival_d() -> Statement:
-    """Return (d): the principal tongue under a follower load."""
+    """Judge (d) by Floquet: the tongues in the first region under a follower load."""
     spins = SPINS[1:]
     rows = [[base_variant(spin, 1.0, factor) for factor in FACTORS] for spin in spins]
     rates = [[growth(variant) for variant in row] for row in rows]

@@ -17,7 +17,7 @@ __all__ = ["conclusion_e", "survival_e"]
 
 
 def conclusion_e() -> Statement:
-    """Return (e): an axial load is worse than a follower load."""
+    """Judge (e) on Bolotin's regions: an axial load is worse than a follower load."""
     lower, wider = [], []
     axial_growth, follower_growth = peak_growths(0.0), peak_growths(1.0)
     principal = peak_growths(1.0, "1B+1F")[-1]
@@ -47,7 +47,7 @@ def conclusion_e() -> Statement:
 
 
 def survival_e() -> Statement:
-    """Return (e): axial against follower load, by growth, place and area."""
+    """Judge (e) by Floquet: growth, roots and unstable area under both kinds of load."""
     pairs = [[base_variant(spin, mu) for mu in (0.0, 1.0)] for spin in SPINS]
     rates = [[strongest(variant)[1] for variant in pair] for pair in pairs]
     shares = [[unstable_share(spin, mu) for mu in (0.0, 1.0)] for spin in SPINS]
