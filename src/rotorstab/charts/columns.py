@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._numerics.roots import is_real
+from .._types import Array, Complex, Mask
 from ..whirl.campbell import WhirlCurves
 from .modes import Mode, modes
 from .quantities import Wording
@@ -17,7 +17,6 @@ from .structure import Layer
 
 __all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "points_layer", "widened"]
 
-Array = NDArray[np.float64]
 _TWIN = 1e-6  # of a frequency: two that differ from a conjugate pair by less are one
 
 
@@ -90,7 +89,7 @@ class Lines:
                 self.add(curves.parameter, stretch, f"{text}, growing", "growing", mode=mode)
 
 
-def widened(stretch: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def widened(stretch: Mask) -> Mask:
     """Return a stretch of samples with one more on each side, so that neighbours meet."""
     wider = stretch.copy()
     wider[1:] |= stretch[:-1]
@@ -98,7 +97,7 @@ def widened(stretch: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return wider
 
 
-def _growing(frequencies: NDArray[np.complex128]) -> NDArray[np.bool_]:
+def _growing(frequencies: Complex) -> Mask:
     """Return where whirls (m, 2n) grow, and where they are the decaying half of such a pair.
 
     Without damping two frequencies that have met are complex conjugates: one whirl grows, the

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._tolerances import OUTSIDE_UNIT_CIRCLE
+from .._types import Complex
 from ..floquet.response import TimeResponse
 from .columns import Lines, points_layer
 from .quantities import EXCITATION, WHIRL, Amount, Quantity, Wording
@@ -20,9 +20,6 @@ __all__ = [
     "pair_layers",
     "response_chart",
 ]
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 _NICE = np.array([1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 10.0])
 _CIRCLE = np.linspace(0, 2 * np.pi, 181)

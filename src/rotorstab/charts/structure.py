@@ -11,15 +11,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from .modes import Mode
 from .quantities import Quantity
 from .roles import ROLES, Role, Style
 
 __all__ = ["Chart", "Curve", "Layer", "pixel_centres"]
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array, Mask
 from ..floquet.tongues.outlines import Outline
 from .columns import Lines, label_columns
 from .quantities import GROWTH, GROWTH_PER_PERIOD
 from .structure import Layer
 
 __all__ = ["FLOQUET", "GrowthGrid", "add_outline", "edge_layer", "growth_layers", "tongue_labels"]
-
-Array = NDArray[np.float64]
 
 
 _LABEL = 0.2  # of the chart's width for a label: a phone is narrow
@@ -42,8 +40,8 @@ class GrowthGrid:
     """
 
     growth: Array
-    unstable: NDArray[np.bool_]
-    bolotin: NDArray[np.bool_] | None
+    unstable: Mask
+    bolotin: Mask | None
     per_period: bool = False
     outlines: tuple[Outline, ...] = ()
 
@@ -118,7 +116,7 @@ def growth_layers(
     ]
 
 
-def _opened(x: Array, y: Array, border: NDArray[np.bool_]) -> tuple[Array, Array]:
+def _opened(x: Array, y: Array, border: Mask) -> tuple[Array, Array]:
     """Return a line with gaps where it runs along the window's border: no edge is there."""
     along = np.flatnonzero(border[:-1] & border[1:]) + 1
     return np.insert(x, along, np.nan), np.insert(y, along, np.nan)

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..charts import Chart, Curve, Figure, Layer
 from ..charts.figure import growth_layer, growth_of
 from ..charts.structure import pixel_centres
@@ -27,9 +27,6 @@ __all__ = [
     "table_csv",
     "table_json",
 ]
-
-
-Array = NDArray[np.float64]
 
 
 def figure_csv(figure: Figure) -> str:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..charts.columns import Lines
 from ..charts.quantities import LOAD, Quantity
 from ..charts.stiffness import ENTRIES
@@ -20,7 +20,7 @@ CLOSE = 0.05
 
 
 def coefficient_charts(
-    loads: NDArray[np.float64],
+    loads: Array,
     shear: float,
     tangency: float,
     entries: tuple[tuple[str, int, int], ...],

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..charts.figure import Figure, Statement
 from ..charts.structure import Chart
 from ..model.finite_element import finite_element, first_modes
@@ -97,9 +97,7 @@ def figure_4(
     return replace(figure, reading=reading)
 
 
-def _ratio_range(
-    panel: Chart, modes: tuple[str, ...], span: slice = slice(None)
-) -> NDArray[np.float64]:
+def _ratio_range(panel: Chart, modes: tuple[str, ...], span: slice = slice(None)) -> Array:
     """Return the least and largest present/finite-element − 1 of the boundaries."""
     present, comparator = (boundaries(panel, group, modes)[:, span] for group in groups(panel))
     excess = present / comparator - 1

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._tolerances import VISIBLE_GROWTH
+from .._types import Mask
 from ..bolotin.boundaries import boundary_frequencies
 from ..charts.figure import Statement
 from ..charts.structure import Chart, Curve
@@ -77,9 +77,9 @@ def separating(variant: Variant, factor: float = 0.1) -> int:
     pulsating = factor * variant.reference_load
     edges = boundary_frequencies(system, mean, pulsating)[:4]
     steps = np.minimum(np.repeat(edges[1::2] - edges[::2], 2) / 4, 0.02 * edges)
-    growth = growth_rate(system, mean, pulsating, np.array([edges - steps, edges + steps]))
-    sides = growth > VISIBLE_GROWTH
-    return int((sides[0] != sides[1]).sum())
+    rates = growth_rate(system, mean, pulsating, np.array([edges - steps, edges + steps]))
+    left, right = rates > VISIBLE_GROWTH
+    return int((left != right).sum())
 
 
 def width(panel: Chart, group: str, factor: float, name: str = PRINCIPAL) -> float:
@@ -100,7 +100,7 @@ def area(panel: Chart, group: str) -> float:
     return float(sum(np.trapezoid(right - left, y) for y, left, right in parts) / window)
 
 
-def _mask(panel: Chart, regions: Sequence[Curve], group: str) -> NDArray[np.bool_]:
+def _mask(panel: Chart, regions: Sequence[Curve], group: str) -> Mask:
     """Return which points of a grid over the window lie in a group's regions."""
     columns = np.linspace(LOWEST, panel.x_range[1], _GRID[0])
     rows = (np.arange(_GRID[1]) + 0.5) / _GRID[1] * panel.y_range[1]

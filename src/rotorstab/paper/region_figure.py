@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..bolotin.chart import bolotin_chart
 from ..charts.columns import Lines, label_columns
 from ..charts.figure import Figure
@@ -25,8 +25,6 @@ from ..charts.tongues import add_outline
 from ..floquet.resonance import resonances
 from ..floquet.tongues.outlines import unstable_outlines
 from ..model.system import System
-
-Array = NDArray[np.float64]
 
 __all__ = ["LOWEST", "RegionPanel", "Variant", "region_chart", "region_figure"]
 

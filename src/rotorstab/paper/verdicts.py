@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .._types import Array
 from ..charts.figure import Verdict
 from ..charts.structure import Chart
 
@@ -22,8 +22,6 @@ __all__ = [
     "titles",
     "uphold",
 ]
-
-Array = NDArray[np.float64]
 
 _MODES = ("1B", "1F", "2B", "2F")
 

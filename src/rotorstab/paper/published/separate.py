@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
+from ..._types import Array
 from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.resonance import resonances
 from ...model.finite_element import finite_element
@@ -31,7 +29,7 @@ def _whirl(spin: float, tangency: float, load: float, root: int) -> float:
 def _boundary(spin: float, static: float, pulsating: float, root: int) -> float:
     """Return θ/ω_n of a Bolotin boundary of the base case under axial load."""
     buckling = critical_load(BASE_CASE.shear)
-    boundaries: NDArray[np.float64] = boundary_frequencies(
+    boundaries: Array = boundary_frequencies(
         lumped(BASE_CASE, spin), static * buckling, pulsating * buckling
     )
     return float(boundaries[root] / fundamental_frequency(lumped(BASE_CASE, 0.0)))
