@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -14,7 +15,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Chart, Figure
-from .screen import element
+from .screen import columns, element
 
 __all__ = ["notebook_element", "notebook_layout"]
 
@@ -25,7 +26,8 @@ def notebook_element(chart: Chart) -> hv.Overlay:
     """Return a chart as a HoloViews overlay of a fixed size; see `Chart.plot`."""
     title = f"({chart.letter}) {chart.title}" if chart.letter else chart.title
     overlay = element(chart)
-    hooks = [*overlay.opts.get("plot", backend="bokeh").kwargs["hooks"], _legend(chart)]
+    own = overlay.opts.get("plot", backend="bokeh").kwargs["hooks"]
+    hooks = [*own, _fill(chart), _legend(chart)]
     width = _HEIGHT if chart.square else _WIDTH
     return overlay.opts(
         title=title,
@@ -46,6 +48,19 @@ def notebook_layout(figure: Figure) -> hv.Layout:
     return layout.opts(title=figure.heading, shared_axes=False, backend="bokeh").cols(columns)
 
 
+def _fill(chart: Chart) -> Callable[[Any, Any], None]:
+    """Return a HoloViews hook that gives every layer the columns that the live page gives it.
+
+    HoloViews leaves out some of them, such as the sides of labels.
+    """
+
+    def draw(plot: Any, _: Any) -> None:
+        for layer, part in zip(chart.layers, plot.subplots.values(), strict=True):
+            part.handles["source"].data = columns(layer)
+
+    return draw
+
+
 def _legend(chart: Chart) -> Callable[[Any, Any], None]:
     """Return a HoloViews hook that adds a legend with an entry for each group of lines."""
 
@@ -54,13 +69,20 @@ def _legend(chart: Chart) -> Callable[[Any, Any], None]:
         items = []
         for group, look in looks.items():
             sample = plot.state.line(
-                [],
-                [],
+                [math.nan],
+                [math.nan],
                 line_color=look.color,
                 line_dash=look.dash,
                 line_width=look.width,
             )
             items.append(LegendItem(label=group, renderers=[sample]))
-        plot.state.add_layout(Legend(items=items, label_text_font_size="11px"), "below")
+        legend = Legend(
+            items=items,
+            ncols=3,
+            location="center",
+            border_line_color=None,
+            label_text_font_size="11px",
+        )
+        plot.state.add_layout(legend, "below")
 
     return draw
