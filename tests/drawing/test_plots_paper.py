@@ -119,4 +119,4 @@ def test_no_text_of_an_exported_live_chart_is_cut(monkeypatch):
         figure = chart_figure(drawn[key], {})
         assert "base" in figure.groups()
         nothing_is_covered(figure, monkeypatch)
-    assert figure.groups()["marked point"].color != figure.groups()["critical speed"].color
+    assert figure.groups()["marked point"].look != figure.groups()["critical speed"].look

@@ -34,9 +34,8 @@ PAIRS = {"1B+1F": (1, 2), "2B+1F": (0, 2), "1B+2F": (1, 3), "2B+2F": (0, 3), "1B
 NUMBERS = r"((?:\d+(?:\.\d+)?(?:[,;]? )?)+)"
 
 
-@cache
 def ours(letter):
-    return FLOQUET_CONCLUSIONS[letter]().ours
+    return floquet_conclusion(letter).ours
 
 
 def after(letter, words):

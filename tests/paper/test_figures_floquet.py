@@ -33,8 +33,6 @@ BUCKLING = float(critical_load(BASE_CASE.shear))
 FREQUENCY = fundamental_frequency(lumped(BASE_CASE, 0.0))
 
 
-
-
 @cache
 def outlines(spin, tangency, factor):
     system = lumped(BASE_CASE, spin, tangency)
