@@ -94,7 +94,7 @@ def number(
     open_low: bool = False,
     open_high: bool = False,
 ) -> float:
-    """Return `value` as one checked float; see `numbers`."""
+    """Return `value` as a single checked float, see `numbers`."""
     if type(value) is float and low < value < high:
         return value
     array = numbers(name, value, low, high, open_low=open_low, open_high=open_high)
@@ -112,7 +112,7 @@ def series(name: str, value: ArrayLike, low: float = -math.inf) -> Array:
 
 
 def whole_number(name: str, value: int, low: int, high: float = math.inf) -> int:
-    """Return `value` as a checked integer; a whole float and NumPy's integers are fine too."""
+    """Return `value` as a checked integer. Floats such as 3.0 and NumPy's integers are accepted."""
     checked = number(name, value, low, high)
     if not checked.is_integer():
         interval = _interval(low, high, False, False)
@@ -121,7 +121,7 @@ def whole_number(name: str, value: int, low: int, high: float = math.inf) -> int
 
 
 def choice(name: str, value: object, allowed: tuple[str, ...]) -> str:
-    """Return `value` if it is one of the allowed words."""
+    """Return `value` if it is one of the allowed texts, else raise ValueError."""
     if not isinstance(value, str) or value not in allowed:
         words = ", ".join(repr(word) for word in allowed)
         raise ValueError(f"`{name}` must be one of {words}, got {_shown(value)}")
