@@ -155,3 +155,11 @@ def test_what_the_captions_say_of_buckling_and_of_the_resting_rotor():
     answer = solved({"spin_speed": 0.0})[1].floquet
     assert answer.both_share > 0.9 * answer.bolotin_share  # the bands hold
     assert answer.both_share < 0.8 * answer.unstable_share  # and are not all
+
+
+def test_the_verdict_names_one_region_once():
+    at_rest = {"spin_speed": 0.0, "load_type": "follower", "static_load_factor": 0.85}
+    _, answer = solved(at_rest, Detail.COARSE)
+    words = verdict(answer.floquet)
+    assert "2 unstable regions in this window at β_d = 0.1: 1B+1F, 1B+2B, 1F+2F at" in words
+    assert "(0.062 wide)" in words

@@ -3,10 +3,6 @@
 import numpy as np
 import pytest
 
-from app.results.analysis import solve
-from app.results.limits import Detail
-from app.state import State
-from app.words.verdict import verdict
 from rotorstab import (
     BASE_CASE,
     critical_load,
@@ -97,11 +93,3 @@ def test_finite_elements_and_a_table_without_tongues():
     assert regions_of(lumped(BASE_CASE, 2.0, external_damping=0.2), 0.5, 0.01 * P) == ()
     with pytest.raises(ValueError, match=r"`pulsating_load` must be in \(0, inf\), got 0"):
         regions_of(system, 0.5, 0.0)
-
-
-def test_the_verdict_names_one_region_once():
-    state = State()
-    state.change({"spin_speed": 0.0, "load_type": "follower", "static_load_factor": 0.85})
-    words = verdict(solve(state, Detail.COARSE).floquet)
-    assert "2 unstable regions in this window at β_d = 0.1: 1B+1F, 1B+2B, 1F+2F at" in words
-    assert "(0.062 wide)" in words
