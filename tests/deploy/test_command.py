@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.testing.lab import NEEDS_NGINX, worker_ports
 from tests.testing.serving import Server, run
 from tests.testing.wire import opened
 
@@ -73,10 +74,13 @@ def test_the_dashboard_is_served_from_another_folder(elsewhere, tmp_path):
         server.stop()
 
 
+@NEEDS_NGINX
+@pytest.mark.long
 def test_several_workers_are_served_by_nginx(elsewhere, tmp_path):
     command = [PROGRAM, "serve", "--port", "PORT", "--workers", "2"]
+    first, second = worker_ports()
     server = Server(
-        tmp_path / "log.txt", command=command, folder=elsewhere, ROTORSTAB_WORKER_PORT="5151"
+        tmp_path / "log.txt", command=command, folder=elsewhere, ROTORSTAB_WORKER_PORT=str(first)
     )
     try:
         server.wait()
@@ -85,7 +89,7 @@ def test_several_workers_are_served_by_nginx(elsewhere, tmp_path):
         assert status == 200
         log = server.log.read_text()
         assert "started nginx" in log
-        assert "started worker 5152" in log
+        assert f"started worker {second}" in log
     finally:
         server.stop()
 
