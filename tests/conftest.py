@@ -15,7 +15,11 @@ settings.load_profile("shared")
 
 
 def pytest_collection_modifyitems(items):
-    """Put the long files first: the last file of two workers is waited for by one."""
+    """Put the tests with a browser first.
+
+    pytest-xdist gives each worker a block of tests. So one worker has them all, with one server and
+    one browser, and the other takes over what remains of that worker's block.
+    """
     pages = Counter(item.path for item in items if "browser" in getattr(item, "fixturenames", ()))
     items.sort(key=lambda item: -pages[item.path])
 
