@@ -517,7 +517,7 @@ def test_shared_arrays_cannot_be_written():
 
 def test_caches_are_bounded():
     caches = dict(cache_infos())
-    parts = {"analysis", "curves", "comparisons", "growth_maps", "quantities", "drawing"}
+    parts = {"analysis", "curves", "comparisons", "growth_maps", "evaluation", "drawing"}
     assert {name.split(".")[0] for name in caches} >= parts
     for name, info in caches.items():
         assert 0 <= info.currsize <= info.maxsize <= 1024, name
