@@ -135,12 +135,27 @@ def floquet_multipliers(
     pulsating_load: ArrayLike,
     excitation_frequency: ArrayLike,
 ) -> Complex:
-    """Return the Floquet multipliers μ, largest modulus first; see `floquet_solution`.
+    """Return the Floquet multipliers μ of one period, largest modulus first.
+
+    Parameters
+    ----------
+    system : System
+        Lumped or finite-element, any stiffness law, damped or not.
+    static_load, pulsating_load : (...) float
+        p̄₀ and p̄_t [EI/L²] of p̄(t) = p̄₀ + p̄_t cos θ̄t.
+    excitation_frequency : (...) float
+        θ̄ [√(EI/(ρAL⁴))], above 0. All broadcast together and with the spin speed.
 
     Returns
     -------
     (..., 2n) complex
-        Undamped, they come in pairs μ, 1/μ̄.
+        μ as in `floquet_solution`. Without damping they come in pairs μ, 1/μ̄.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or out of range, or if the peak load p̄₀ + |p̄_t| reaches the
+        pole of the exact stiffness.
 
     Examples
     --------
@@ -160,13 +175,28 @@ def growth_rate(
     pulsating_load: ArrayLike,
     excitation_frequency: ArrayLike,
 ) -> Array:
-    """Return σ = ln max|μ| / T, above 0 where the rotor is unstable; see `floquet_solution`.
+    """Return the growth rate σ = ln max|μ| / T, above 0 where the rotor is unstable.
+
+    Parameters
+    ----------
+    system : System
+        Lumped or finite-element, any stiffness law, damped or not.
+    static_load, pulsating_load : (...) float
+        p̄₀ and p̄_t [EI/L²] of p̄(t) = p̄₀ + p̄_t cos θ̄t.
+    excitation_frequency : (...) float
+        θ̄ [√(EI/(ρAL⁴))], above 0. All broadcast together and with the spin speed.
 
     Returns
     -------
     (...) float
-        [√(EI/(ρAL⁴))]; right to 1e-9, except within about 1e-9 of the edge of a tongue, where a
-        double multiplier turns an error ε into √ε.
+        σ as in `floquet_solution` [√(EI/(ρAL⁴))]; right to 1e-9, except within about 1e-9 of the
+        edge of a tongue, where a double multiplier turns an error ε into √ε.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite or out of range, or if the peak load p̄₀ + |p̄_t| reaches the
+        pole of the exact stiffness.
 
     Examples
     --------

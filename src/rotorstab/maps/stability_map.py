@@ -216,20 +216,31 @@ def stability_map(
     pulsating_loads: ArrayLike,
     excitation_frequencies: ArrayLike,
 ) -> Array:
-    """Return growth rates (len(pulsating_loads), len(excitation_frequencies)), to 1e-5.
+    """Return growth rates on a grid, right to 1e-5.
 
-    The plain numbers of `stability_chart`, which also gives errors, the verdict and tongues
-    narrower than a pixel.
+    These are the growth rates of `stability_chart`, which also returns their errors, the verdict
+    of each pixel and tongues narrower than a pixel.
 
     Parameters
     ----------
-    system, static_load, pulsating_loads, excitation_frequencies
-        See `stability_chart`.
+    system : System
+        At one spin speed; lumped or reduced finite-element, damped or not, any stiffness law.
+    static_load : float
+        p̄₀ [EI/L²].
+    pulsating_loads : (R,) float
+        p̄_t [EI/L²], in any order; the sign does not matter.
+    excitation_frequencies : (C,) float
+        θ̄ [√(EI/(ρAL⁴))], above 0, in any order.
 
     Returns
     -------
     (R, C) float
         σ = ln max|μ| / T [√(EI/(ρAL⁴))].
+
+    Raises
+    ------
+    ValueError
+        If an argument is not finite, out of range or not 1-d.
 
     Examples
     --------
