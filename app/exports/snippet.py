@@ -29,8 +29,8 @@ def _system(state: State, tangency: float, law: str, damped: bool = True) -> str
     if state.model != "lumped":
         maker = "finite_element"
         options |= {"elements": ELEMENTS, "modes": MODES}
-    elif law == "exact":
-        options["stiffness"] = "exact"
+    elif law != "linear":
+        options["stiffness"] = law
     if damped:
         for name in ("external_damping", "internal_damping"):
             if getattr(state, name):

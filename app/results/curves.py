@@ -99,7 +99,7 @@ def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, fl
     if kind != "lumped":
         laws = ("linear",)  # the distributed shaft has no other
     return [
-        (name + (" exact" if law == "exact" else ""), share, law)
+        (name if law == "linear" else f"{name} {law}", share, law)
         for law in laws
         for name, share in shares.items()
     ]

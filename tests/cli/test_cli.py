@@ -13,6 +13,7 @@ import pytest
 
 from rotorstab.__main__ import main
 from rotorstab.cli import commands
+from rotorstab.model.lumped import STIFFNESS_LAWS
 from rotorstab.paper import CONCLUSIONS, FIGURES
 
 
@@ -123,6 +124,17 @@ def test_regions_of_an_own_rotor(model, tmp_path, capsys):
     assert len(loaded["panels"][0]["lines"]) == 8
 
 
+def test_a_stiffness_law_that_is_added_is_what_the_command_computes(monkeypatch, capsys):
+    arguments = ["whirl", "--load", "1", "--model"]
+    assert main([*arguments, "exact"]) == 0
+    exact = capsys.readouterr().out
+    assert main([*arguments, "lumped"]) == 0
+    assert capsys.readouterr().out != exact
+    monkeypatch.setitem(STIFFNESS_LAWS, "another", STIFFNESS_LAWS["exact"])
+    assert main([*arguments, "another"]) == 0
+    assert capsys.readouterr().out == exact
+
+
 def test_regions_can_be_drawn(tmp_path):
     path = tmp_path / "r.svg"
     assert main(["regions", "--tangency", "1", "--output", str(path)]) == 0
@@ -157,6 +169,7 @@ def test_regions_can_be_drawn(tmp_path):
         (["whirl", "--internal-damping", "1e10"], "must be in [0, 1e+09], got 1e+10"),
         (["whirl", "--load", "inf"], "`load` must be in [-1e+09, 1e+09], got inf"),
         (["whirl", "--spin-speed", "0:1:1000", "--load", "0:1:1000"], "got 1e+06"),
+        (["whirl", "--model", "cubic"], "invalid choice: 'cubic' (choose from"),
         (["whirl", "--model", "exact", "--load", "50"], "pole of the exact stiffness"),
         (["whirl", "--model", "finite-element", "--modes", "99"], "`modes` must be in [2, 40]"),
         (["whirl", "--disk-mass", "0"], "`disk_mass` must be in (0, inf), got 0"),

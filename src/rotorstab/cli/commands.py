@@ -240,7 +240,8 @@ def _system(arguments: argparse.Namespace) -> System:
         return finite_element(
             _rotor(arguments), 0.0, arguments.tangency, arguments.elements, modes, *damping
         )
-    law = "exact" if arguments.model == "exact" else "linear"
+    # the other models have the names of their laws, which `lumped` checks
+    law = "linear" if arguments.model == "lumped" else arguments.model
     return lumped(_rotor(arguments), 0.0, arguments.tangency, *damping, law)
 
 

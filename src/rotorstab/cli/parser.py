@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from ..model.lumped import STIFFNESS_LAWS
 from ..paper import FIGURES
 from ..rotors.shaft_disk import ShaftDisk
 from .commands import (
@@ -131,7 +132,9 @@ def _add_rotor(parser: argparse.ArgumentParser) -> None:
         "--tangency", type=float, default=0.0, help="0 axial to 1 follower, default %(default)s"
     )
     model = parser.add_argument_group("model")
-    model.add_argument("--model", choices=("lumped", "exact", "finite-element"), default="lumped")
+    laws = (law for law in STIFFNESS_LAWS if law != "linear")  # "lumped" has the linear law
+    models = ("lumped", *laws, "finite-element")
+    model.add_argument("--model", choices=models, default="lumped")
     model.add_argument("--elements", type=int, default=20)
     model.add_argument("--modes", type=int, help="reduce the finite elements, default all")
     for name in ("external", "internal"):

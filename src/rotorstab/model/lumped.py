@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from .._arguments import LARGEST, choice, number, numbers
@@ -11,7 +13,13 @@ from .damping import with_damping_ratios
 from .stiffness import linear_stiffness
 from .system import System
 
-__all__ = ["lumped"]
+__all__ = ["STIFFNESS_LAWS", "lumped"]
+
+STIFFNESS_LAWS: dict[str, Callable[[ShaftDisk], float | None]] = {
+    "linear": lambda rotor: None,  # Eq. (9)
+    "exact": lambda rotor: rotor.shear,  # Appendix A
+}
+"""Every stiffness law of the lumped rotor by its name, with the `exact_shear` of its `System`."""
 
 
 def lumped(
@@ -36,7 +44,7 @@ def lumped(
         Damping ratios ζ_e and ζ_i [-], 0 or more (beyond the paper): C_e = 2ζ_e ω_n M and
         C_i = (2ζ_i/ω_n) Ka, acting on q̇ and on q̇ − jΩ̄q.
     stiffness : {"linear", "exact"}
-        Law of the stiffness over the load: Eq. (9) or Appendix A.
+        A name in `STIFFNESS_LAWS`: the law of the stiffness over the load: Eq. (9) or Appendix A.
 
     Returns
     -------
@@ -47,7 +55,7 @@ def lumped(
     Raises
     ------
     ValueError
-        If an argument is out of range.
+        If an argument is out of range, or the law has another name.
 
     Notes
     -----
@@ -66,7 +74,7 @@ def lumped(
     disk_mass = number("disk_mass", rotor.disk_mass, 0.0, open_low=True)
     inertia = number("diametral_inertia", rotor.diametral_inertia, 0.0, open_low=True)
     tangency = number("tangency", tangency, 0.0, 1.0)
-    law = choice("stiffness", stiffness, ("linear", "exact"))
+    law = STIFFNESS_LAWS[choice("stiffness", stiffness, tuple(STIFFNESS_LAWS))]
     elastic, geometric = linear_stiffness(rotor.shear, tangency)
     system = System(
         mass=np.diag([disk_mass, inertia]),  # Eq. (14)
@@ -77,6 +85,6 @@ def lumped(
         geometric=geometric,
         spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
         tangency=tangency,
-        exact_shear=rotor.shear if law == "exact" else None,
+        exact_shear=law(rotor),
     )
     return with_damping_ratios(system, external_damping, internal_damping)

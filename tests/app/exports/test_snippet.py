@@ -11,6 +11,7 @@ from app.pages.marked_point import inspect
 from app.results.analysis import solve
 from app.state import PRESETS, State
 from app.words.si import displayed
+from rotorstab.model.lumped import STIFFNESS_LAWS
 
 MARKED = {"marker": True, "marker_frequency": 1.7, "marker_factor": 0.4, "periods": 5.0}
 TABLE_1 = PRESETS["Table 1, 1000 rpm"]
@@ -143,3 +144,13 @@ def test_it_starts_from_si_data_exactly_where_the_charts_show_that_shaft(ran):
     if in_si:
         numbers = solve(state).numbers
         assert f"{numbers['static_load'] * names['scales'].load:.6g}"[:5] in printed
+
+
+def test_a_snippet_names_a_stiffness_law_that_is_added_and_refuses_one_that_is_not(monkeypatch):
+    state = State()
+    state.param.law.objects = ["linear", "exact", "another"]
+    state.law = "another"
+    with pytest.raises(ValueError, match="must be one of 'linear', 'exact', got 'another'"):
+        python_snippet(state)
+    monkeypatch.setitem(STIFFNESS_LAWS, "another", STIFFNESS_LAWS["exact"])
+    assert "system = lumped(rotor, 2.0, stiffness='another')" in python_snippet(state)
