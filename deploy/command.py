@@ -28,8 +28,11 @@ NEEDED = (
     "pint",
     "prometheus_client",
     "jinja2",
+    "markupsafe",
+    "markdown_it",
+    "param",
 )
-"""Modules that the extra `app` installs."""
+"""Modules that the extra `app` installs; a test compares them with pyproject.toml."""
 OPTIONS = ("address", "port", "workers")
 """Settings that are options too."""
 

@@ -14,7 +14,7 @@ PAGE_FILES = (
 )
 """Decoded paths of the scripts and styles that the page uses; others below `/static/` are 404."""
 
-HEADERS = {
+HEADERS = {  # values without double quotes, between which nginx's configuration writes them
     # CustomJS needs 'unsafe-eval', inline scripts have no nonces, and Panel's JavaScript
     # components are fetched from blobs.
     "Content-Security-Policy": (

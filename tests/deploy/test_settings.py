@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from deploy.constants import HEADERS
 from deploy.lab import PATIENCE
 from deploy.secret import find_secret
 from deploy.settings import SettingError, Settings, read
@@ -212,3 +213,8 @@ def test_a_worker_that_drains_as_long_as_it_may_is_not_killed():
     assert len(stops) == 3
     # the workers, then nginx
     assert min(stops) >= seconds + 2 * PATIENCE
+
+
+def test_no_security_header_holds_a_double_quote():
+    # the template of nginx's configuration writes each value between double quotes
+    assert not [name for name, value in HEADERS.items() if '"' in value]

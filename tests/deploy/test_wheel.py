@@ -1,16 +1,18 @@
 """The wheel: it contains the dashboard and its server whole, and says how to start them."""
 
+import ast
 import configparser
 import email
 import subprocess
 import sys
 import tomllib
 import zipfile
-from importlib.metadata import EntryPoint
+from importlib.metadata import EntryPoint, packages_distributions
 from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 from deploy.command import NEEDED
 
@@ -98,4 +100,22 @@ def test_the_library_alone_needs_numpy_and_scipy_only(wheel):
 
 def test_the_command_looks_for_all_that_its_extra_installs():
     names = [Requirement(text).name for text in PROJECT["optional-dependencies"]["app"]]
-    assert sorted(NEEDED) == sorted(name.replace("-", "_") for name in names)
+    distributions = packages_distributions()
+    found = {canonicalize_name(name) for module in NEEDED for name in distributions[module]}
+    assert found == {canonicalize_name(name) for name in names}
+
+
+def imported_modules(path):
+    """Top-level names of the modules that a file imports, other than its neighbours."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (name.name.partition(".")[0] for name in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            yield node.module.partition(".")[0]
+
+
+def test_the_extra_names_all_that_the_dashboard_and_its_server_import():
+    paths = [path for folder in ("app", "deploy") for path in (ROOT / folder).rglob("*.py")]
+    imported = {name for path in paths for name in imported_modules(path)}
+    library = {"numpy", "scipy", "rotorstab", "app", "deploy"}
+    assert imported - sys.stdlib_module_names - library <= set(NEEDED)
