@@ -5,8 +5,8 @@ and ends all of them on SIGTERM, the workers first, so that a running export sti
 nginx. With ROTORSTAB_UPSTREAM the workers run elsewhere (in containers): their addresses are looked
 up again and again, and nginx is reloaded when they change.
 
-This is no use of supervisord, which cannot log to the socket of journald, and whose children
-outlive it when it is killed.
+supervisord is not used, because it cannot log to the socket of journald, and because its children
+keep running when it is killed.
 """
 
 import asyncio

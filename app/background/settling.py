@@ -34,9 +34,8 @@ class Settling:
 
         A window of None needs nothing.
         """
-        if (
-            window is None or self._scheduler.document is None
-        ):  # without a server there is nobody to wait for
+        # without a server no page waits for a finer picture
+        if window is None or self._scheduler.document is None:
             self.drop()
             return Detail.REFINED
         if window != self._awaited:

@@ -48,7 +48,7 @@ def failure_message(problem: BaseException) -> str:
     """Return what the user is told about a file that was not made."""
     if isinstance(problem, OSError) and problem.errno in (errno.ENOSPC, errno.EDQUOT):
         return "the server’s disk is full: the file was not made"
-    return "the picture could not be made: ask once more"
+    return "the picture could not be made: try again"
 
 
 class Files:

@@ -1,7 +1,7 @@
-"""Reads the answers of questions: a quantity, two of them, or a comparison. No text is executed.
+"""Reads the formulas that lessons give as answers. They are parsed and never executed as code.
 
-    term        a number, or the name of a quantity, perhaps at a case: `whirl.1F@before`
-    expression  a term, or two with + - * / between them
+    term        a number, or the name of a quantity, with or without a case: `whirl.1F@before`
+    expression  a term, or two terms with + - * / between them
     condition   two expressions with < > = between them
 
 Spaces separate the words: the + in `tongue.1B+1F.centre` is part of the name.

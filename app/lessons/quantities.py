@@ -65,13 +65,13 @@ QUANTITIES = (
     Quantity(
         "critical.<way>.<n>",
         "critical speed {1}, {0}",
-        "the n-th of them",
+        "the n-th critical speed, counted from the lowest",
         _speed,
     ),
     Quantity(
         "critical.<way>.count",
         "how many critical speeds, {0}",
-        "how many there are",
+        "number of critical speeds",
         lambda at, way: float(len(getattr(at.speeds, way))),
     ),
     Quantity(

@@ -52,8 +52,8 @@ MOST_WORK = {
     ("finite elements", False): 4000,
     ("finite elements", True): 2500,
 }
-"""The same number summed over the columns of a map, by kind of model and whether it is damped: a
-full map then takes some seconds at most."""
+"""Largest sum of these cycles over the columns of a map, by kind of model and whether it is damped:
+a full map then takes some seconds at most."""
 COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.25
 """Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
 map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It

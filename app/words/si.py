@@ -127,8 +127,9 @@ def shaft_words(state: State) -> dict[str, Any]:
     ]
     in_use = state.shaft_in_use()
     words = ", ".join(quantities)
+    where = "what the charts show" if in_use else "the sliders have other values"
     return {
-        "words": f"{words}: {'what the charts show.' if in_use else 'not what the sliders say.'}",
+        "words": f"{words}: {where}.",
         "in_use": in_use,
         "good": True,
     }

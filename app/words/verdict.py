@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from rotorstab import Scales
 from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
@@ -18,10 +19,7 @@ _BELOW_THRESHOLD = 0.9  # part of the first-order threshold below which growth c
 _LARGER = 1.05  # ratio of two areas above which one is called larger
 _SLIVER = 0.02  # share of the window that may be blank without a word
 _MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
-_LONGEST_COMPARISON = (
-    " Of the computed part of this window 88 % is unstable; Bolotin regions cover 88 %, "
-    "an area 8,888 times as large; 88 % of what is unstable lies outside them."
-)
+_FEWEST = 1 / 28_800  # share of one pixel of the largest map
 
 
 def _percent(share: float, *, none: bool = True) -> str:
@@ -50,8 +48,8 @@ def _regions(answer: FloquetAnswer, units: Units) -> str:
     noun = "unstable region" if len(inside) == 1 else "unstable regions"
     return (
         f"To first order in the load, {len(inside)} {noun} in this window at "
-        f"{units.factor(TABLE_FACTOR, 'g')}: {named}{more}; lines without a name are of higher "
-        "order."
+        f"{units.factor(TABLE_FACTOR, 'g')}: {named}{more}; tongues without a label "
+        "are of higher order."
     )
 
 
@@ -125,8 +123,8 @@ def _blank(answer: FloquetAnswer) -> str:
     words = ""
     if math.isfinite(answer.ends_at):
         words = (
-            f" Above β_d = {answer.ends_at:.3g} the map is blank: a shaft clamped at both ends "
-            "buckles under such a load, and the exact stiffness law ends there."
+            f" Above β_d = {answer.ends_at:.3g} the map is blank: the exact stiffness law has a "
+            "pole at this load and is not valid above it."
         )
     if answer.unknown_share > _SLIVER:
         words += (
@@ -137,8 +135,8 @@ def _blank(answer: FloquetAnswer) -> str:
         return words
     where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
     return words + (
-        f" {where} the map is blank: in one period of so slow a load the shaft whirls too often, "
-        "or its whirl grows too much, to be followed in time."
+        f" {where} the map is blank: the load is so slow that one period holds too many whirl "
+        "cycles, or too much growth, to compute."
     )
 
 
@@ -158,7 +156,15 @@ def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: 
 
 def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:
     """Return words as long as the verdict of the full map may become, to keep its place free."""
-    return _opening(answer, scales) + _LONGEST_COMPARISON + _end(answer)
+    longest = replace(
+        answer,
+        detail=Detail.REFINED,
+        unstable_share=_FEWEST,
+        bolotin_share=0.88,
+        both_share=0.9912 * _FEWEST,
+        unknown_share=1.0,
+    )
+    return _opening(answer, scales) + _comparison(longest, True) + _end(answer)
 
 
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:

@@ -1,4 +1,4 @@
-"""How parts of Panel, Bokeh and Tornado are replaced: only parts that are still there."""
+"""Replaces parts of Panel, Bokeh and Tornado, and raises an error if such a part has moved."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ hardened = False
 
 
 class Moved(AttributeError):
-    """A part that is to be replaced is not there."""
+    """A part that a patch replaces does not exist."""
 
 
 def replace(owner: Any, name: str, new: Any) -> None:
@@ -20,7 +20,7 @@ def replace(owner: Any, name: str, new: Any) -> None:
     Raises
     ------
     Moved
-        Where there is no such part: the server would run without what the new part guards.
+        If there is no such part. Without this error the server would run unprotected.
     """
     if not hasattr(owner, name):
         raise Moved(f"{getattr(owner, '__name__', owner)} has no {name}")

@@ -282,7 +282,7 @@ def test_a_list_that_looks_like_a_decimal_comma_is_told(option, capsys):
 
 def test_the_help_says_what_a_comma_means(capsys):
     assert main(["whirl", "--help"]) == 0
-    assert "a comma parts values, a decimal number has a point" in " ".join(
+    assert "a comma separates values, a decimal number has a point" in " ".join(
         capsys.readouterr().out.split()
     )
 

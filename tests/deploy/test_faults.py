@@ -20,7 +20,7 @@ def test_a_full_disk_is_named_to_the_user():
     assert "disk is full" in failure_message(OSError(errno.ENOSPC, "No space left on device"))
     for problem in (RuntimeError("/home/x"), OSError(errno.EACCES, "denied", "/home/x")):
         sentence = failure_message(problem)
-        assert "ask once more" in sentence
+        assert "try again" in sentence
         assert "/home" not in sentence
 
 

@@ -1,4 +1,4 @@
-"""The command line: figures and table of the paper, whirl and regions of own rotors.
+"""The command line: figures and table of the paper, whirl and regions of your own rotors.
 
 Bad arguments give one line on stderr and exit code 2, never a traceback.
 """
@@ -154,7 +154,10 @@ def _parser() -> argparse.ArgumentParser:
         "--formats", default="pdf,svg,png,csv,json", help="with --all, default %(default)s"
     )
     figure.add_argument(
-        "--floquet", action="store_true", help="4 to 9: add what is unstable, and what survives"
+        "--floquet",
+        action="store_true",
+        help="4 to 9: add the regions that are unstable by Floquet's method, and which statements "
+        "of the paper still hold",
     )
     _add_output(figure, ".pdf .svg .png .csv .json")
     figure.set_defaults(run=run_figure)
@@ -171,18 +174,18 @@ def _parser() -> argparse.ArgumentParser:
     validation.set_defaults(run=run_validation)
 
     sweep = (
-        "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); a comma parts values, "
+        "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); a comma separates values, "
         "a decimal number has a point; default 0"
     )
     several: dict[str, Any] = {"action": _Sweep, "default": np.zeros(1)}
-    whirl = commands.add_parser("whirl", help="whirl frequencies of an own rotor")
+    whirl = commands.add_parser("whirl", help="whirl frequencies of your own rotor")
     whirl.add_argument("--spin-speed", **several, help=sweep)
     whirl.add_argument("--load", **several, help=sweep)
     _add_rotor(whirl)
     _add_output(whirl, ".csv .json")
     whirl.set_defaults(run=run_whirl)
 
-    regions = commands.add_parser("regions", help="Bolotin regions of an own rotor")
+    regions = commands.add_parser("regions", help="Bolotin regions of your own rotor")
     regions.add_argument("--spin-speed", **several, help=f"a panel each: {sweep}")
     regions.add_argument("--static-factor", **several, help=f"α_s, up to three: {sweep}")
     regions.add_argument("--largest-factor", type=float, default=1.0, help="β_d, top of the chart")

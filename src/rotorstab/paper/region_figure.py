@@ -1,6 +1,6 @@
 """Figures of Bolotin regions, and of what is unstable, in the plane of θ/ω_n and β_d.
 
-Figs 4, 5, 6, 7 and 9 and the regions of an own rotor are made here; each has its own variants.
+Figs 4, 5, 6, 7 and 9 and the regions of a user's rotor are made here; each has its own variants.
 """
 
 from __future__ import annotations

@@ -217,7 +217,7 @@ def test_the_user_hears_of_a_map_that_cannot_be_made(own, moved, monkeypatch, ca
     request = {"format": "csv", "chart": "instability"}
     wanted.start(export(moved.pages["explore"], moved.state, request))
     page.turn()
-    assert "ask once more" in told[-1]["told"]
+    assert "try again" in told[-1]["told"]
     assert making() == 0
     monkeypatch.undo()
 
@@ -232,7 +232,7 @@ def test_the_user_hears_of_a_printer_that_does_not_start(own, session, monkeypat
     monkeypatch.setattr(session.controls, "send", told.put)
     answer = session.respond({"type": "export", "format": "pdf", "chart": "campbell"})
     assert "making" in answer["told"]
-    assert "ask once more" in told.get(timeout=10)["told"]
+    assert "try again" in told.get(timeout=10)["told"]
     monkeypatch.undo()
     monkeypatch.setattr(session.controls, "send", told.put)
     session.respond({"type": "export", "format": "csv", "chart": "campbell"})

@@ -8,7 +8,7 @@ from app.pages.marked_point import inspect
 from app.results.analysis import solve
 from app.results.limits import Detail
 from app.state import State
-from app.words.verdict import verdict
+from app.words.verdict import verdict, verdict_room
 
 DRIVEN = {
     "model": "finite elements",
@@ -163,3 +163,11 @@ def test_the_verdict_names_one_region_once():
     words = verdict(answer.floquet)
     assert "2 unstable regions in this window at β_d = 0.1: 1B+1F, 1B+2B, 1F+2F at" in words
     assert "(0.062 wide)" in words
+
+
+@pytest.mark.parametrize("values", [{}, DRIVEN, SLOW, HELD])
+def test_the_room_of_a_coarse_verdict_holds_its_comparison(values):
+    coarse = solved(values, Detail.COARSE)[1].floquet
+    full = solved(values)[1].floquet
+    assert len(verdict_room(coarse)) >= len(verdict(coarse))
+    assert len(verdict_room(full)) >= len(verdict(full))
