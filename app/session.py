@@ -16,7 +16,6 @@ from .exports.snippet import python_snippet
 from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
-from .results.growth import shows_growth
 from .results.limits import Detail
 from .state import State
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
@@ -73,7 +72,7 @@ class Session:
     def _first_paint(self, content: Mapping[str, Any]) -> dict[str, Any]:
         """Return what the page shows, and keeps room for, before the first answer comes."""
         whirl = content["numbers"]["whirl"].values() if content else ()
-        is_complex = any(shows_growth(imaginary) for _, imaginary in whirl)
+        is_complex = any(imaginary for _, imaginary in whirl)
         looks = {name: getattr(self.state, name) for name in _LOOKS}
         return {"words": content.get("verdict_room", ""), "looks": looks | {"complex": is_complex}}
 

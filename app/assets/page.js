@@ -132,7 +132,7 @@
     return made;
   }
 
-  const grows = (imaginary) => Math.abs(imaginary) > 1e-9;
+  // the imaginary part of a whirl that neither grows nor decays is 0
   const word = (imaginary) => (imaginary < 0 ? "grows" : "decays");
 
   // in SI, loads are in N or kN, frequencies in Hz, and growth or decay is per second
@@ -145,7 +145,7 @@
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
       place.replaceChildren(number(real), small("\u00a0Hz"));
-      if (grows(imaginary)) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
+      if (imaginary !== 0) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
     }
   }
 
@@ -154,9 +154,9 @@
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
       place.textContent = number(real);
-      if (grows(imaginary)) place.append(small(` ${word(imaginary)} ${number(Math.abs(imaginary))}`, "complex"));
+      if (imaginary !== 0) place.append(small(` ${word(imaginary)} ${number(Math.abs(imaginary))}`, "complex"));
     }
-    root.dataset.complex = String(Object.values(numbers.whirl).some(([, imaginary]) => grows(imaginary)));
+    root.dataset.complex = String(Object.values(numbers.whirl).some(([, imaginary]) => imaginary !== 0));
     page.rigid = numbers.rigid;
   }
 

@@ -10,7 +10,6 @@ from typing import Any
 from rotorstab import Scales
 
 from ..lessons.markdown import plain
-from ..results.growth import shows_growth
 from ..state import SYMBOLS, State
 from ..words.si import key_numbers, load_in, named_inputs, shown_scales
 
@@ -141,9 +140,9 @@ def _key_rows(numbers: Mapping[str, Any], scales: Scales | None) -> list[tuple[s
         ]
     for name, (real, imaginary) in shown["whirl"].items():
         growth = ""
-        if shows_growth(imaginary) and scales is None:
+        if imaginary and scales is None:
             growth = f" {imaginary:+.6g}j"
-        elif shows_growth(imaginary):
+        elif imaginary:
             word = "decays" if imaginary > 0 else "grows"
             growth = f", {word} by {abs(imaginary):.6g} 1/s"
         rows.append((f"whirl frequency {name}{hertz}", f"{real:.6g}{growth}"))

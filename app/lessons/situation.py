@@ -19,6 +19,7 @@ from rotorstab import (
     critical_speeds,
     fundamental_frequency,
     lumped,
+    mean_is_unstable,
     resonances,
     whirl_frequencies,
 )
@@ -31,7 +32,6 @@ from ..state import State
 
 __all__ = ["LARGEST_LOAD", "Situation"]
 
-_GROWTH = 1e-7  # part of the largest |ω|: rounding of frequencies that meet stays below it
 LARGEST_LOAD = 6.0
 """Largest magnitude of a case's own steady load [EI/L²]."""
 
@@ -137,8 +137,7 @@ class Situation:
         speeds = np.linspace(0.0, float(State.param.spin_speed.bounds[1]), 401)
         for _ in range(3):
             roots = whirl_frequencies(self.system.at_speed(speeds), self.static)
-            growth = -np.imag(roots).min(axis=-1)
-            grows = np.flatnonzero(growth > _GROWTH * np.abs(roots).max(axis=-1))
+            grows = np.flatnonzero(mean_is_unstable(roots))
             if not grows.size:
                 return math.inf
             first = int(grows[0])

@@ -13,7 +13,6 @@ from rotorstab import Scales
 from rotorstab.charts import Chart, Layer, load_unit, written
 
 from ..results.analysis import Result, solve, window_of
-from ..results.growth import shows_growth
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..state import SI_INPUTS, SYMBOLS, State
@@ -141,7 +140,7 @@ def _numbers(
     numbers = {words[si].format(unit): _shown(shown[name]) for name, words in _NUMBERS.items()}
     for name, (real, imaginary) in shown["whirl"].items():
         grows = ""
-        if shows_growth(imaginary):
+        if imaginary:
             word = "grows" if imaginary < 0 else "decays"
             grows = f", {word} by {written(abs(imaginary), 3)}{' 1/s' if si else ''}"
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows

@@ -52,8 +52,8 @@ class Result:
         Non-dimensional, by key.
     numbers : dict
         Key numbers, non-dimensional: loads "buckling", "flutter" (or None), "static_load" and
-        "reference", ω_n as "fundamental", [real, imaginary] of each "whirl" by mode, and whether
-        the disk can be a "rigid" body.
+        "reference", ω_n as "fundamental", [real, imaginary] of each "whirl" by mode (see
+        `whirl_numbers`), and whether the disk can be a "rigid" body.
     floquet : FloquetAnswer
     """
 

@@ -14,6 +14,7 @@ from rotorstab import (
     critical_load,
     flutter_load,
     fundamental_frequency,
+    grows_or_decays,
     load_frequency_curves,
     lumped,
 )
@@ -125,9 +126,12 @@ def campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
 
 
 def whirl_numbers(system: System, load: float) -> dict[str, list[float]]:
-    """Return the whirl frequencies by name, as [real, imaginary]."""
+    """Return the whirl frequencies by name, as [real, imaginary].
+
+    The imaginary part is 0 where a whirl neither grows nor decays by more than rounding, so that
+    a text or the page shows growth or decay wherever this part is not 0.
+    """
     found = named_frequencies(system, load)
-    return {
-        name: [float(value.real), float(value.imag)]
-        for name, value in zip(mode_names(system.size), found, strict=True)
-    }
+    imaginary = np.where(grows_or_decays(found), found.imag, 0.0)
+    parts = np.stack([found.real, imaginary], axis=-1).tolist()
+    return dict(zip(mode_names(system.size), parts, strict=True))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotorstab import ResonanceTable, StabilityChart
+from rotorstab import ResonanceTable, StabilityChart, is_unstable
 
 from .limits import Detail
 from .window import FloquetMap
@@ -133,7 +133,7 @@ def _shares(growth: StabilityChart, mask: NDArray[np.bool_], reference: float) -
     """Return the shares of the window's computed part, and the lowest unstable β_d."""
     known = np.isfinite(growth.growth)
     # areas by the pixels' centres: a thin tongue that marks a pixel does not fill it
-    grows = (growth.growth > growth.error) & known
+    grows = is_unstable(growth.growth, growth.error) & known
     rows = growth.pulsating_loads[grows.any(axis=1)]
     count = int(known.sum())
     return {

@@ -4,6 +4,7 @@ from .bolotin.boundaries import boundary_frequencies
 from .bolotin.chart import BolotinChart, bolotin_chart
 from .bolotin.hill import hill_boundary_frequencies
 from .bolotin.regions import bolotin_mask, in_bolotin_region
+from .floquet.criterion import grows_or_decays, is_unstable, mean_is_unstable
 from .floquet.first_order import FirstOrderRegion, first_order_regions
 from .floquet.initial_conditions import initial_conditions
 from .floquet.point import FloquetSolution, floquet_multipliers, floquet_solution, growth_rate
@@ -65,14 +66,17 @@ __all__ = [
     "floquet_solution",
     "flutter_load",
     "fundamental_frequency",
+    "grows_or_decays",
     "growth_rate",
     "hill_boundary_frequencies",
     "in_bolotin_region",
     "initial_conditions",
+    "is_unstable",
     "largest_exact_load",
     "linear_stiffness",
     "load_frequency_curves",
     "lumped",
+    "mean_is_unstable",
     "mode_names",
     "named_frequencies",
     "resonances",

@@ -68,6 +68,8 @@ where two of them meet: at the edge of every tongue.
 UNSTABLE_MEAN = 1e-9
 """Growth rate, relative to the largest |ω|, above which a rotor is unstable without pulsation.
 
+Only `criterion.grows_or_decays` compares with it; decay below this part is not shown either.
+
 It separates the rounding of simple eigenvalues, 1e-12 at most, from flutter, buckling and rotating
 damping, which grow faster by orders of magnitude as soon as their limit is passed.
 """

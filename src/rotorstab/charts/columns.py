@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .._numerics.roots import is_real
 from .._types import Array, Complex, Mask
+from ..floquet.criterion import grows_or_decays
 from ..whirl.campbell import WhirlCurves
 from .modes import Mode, modes
 from .quantities import Wording
@@ -104,7 +104,7 @@ def _growing(frequencies: Complex) -> Mask:
     other decays, and both have one Re ω.
     """
     size = np.abs(frequencies)
-    grows = (frequencies.imag < 0) & ~is_real(frequencies)
+    grows = (frequencies.imag < 0) & grows_or_decays(frequencies)
     twins = frequencies[:, :, None] - frequencies[:, None, :].conj()
     near = np.abs(twins) <= _TWIN * size[:, :, None]
     return np.asarray(grows | (near & grows[:, None, :]).any(axis=2))

@@ -10,12 +10,13 @@ from itertools import combinations
 import numpy as np
 
 from .._arguments import number
-from .._tolerances import NEGLIGIBLE, UNSTABLE_MEAN
+from .._tolerances import NEGLIGIBLE
 from .._types import AnyArray, Complex
 from ..model.modal import ModalBasis, modal_basis
 from ..model.system import System, single_speed
 from ..whirl.mode_names import names_of
 from .averaging import averaged_tongue
+from .criterion import mean_is_unstable
 
 __all__ = ["Resonance", "ResonanceTable", "resonances"]
 
@@ -117,7 +118,7 @@ class ResonanceTable:
     @property
     def mean_is_unstable(self) -> bool:
         """Whether the mean system grows without pulsation, by more than rounding."""
-        return bool(self.mean_growth > UNSTABLE_MEAN * np.abs(self.frequencies).max())
+        return bool(mean_is_unstable(self.frequencies))
 
     def nearest(self, frequency: float, highest_order: int) -> tuple[Resonance, int] | None:
         """Return the pair and order k whose θ̄ = |ω_i − ω_j|/k explains a frequency best.

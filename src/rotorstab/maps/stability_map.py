@@ -166,7 +166,7 @@ def stability_chart(
         error[target] = np.maximum(slack, SMALLEST_GROWTH)
     with np.errstate(invalid="ignore"):
         at_centre = is_unstable(growth, error)
-        unstable = at_centre | (peak > np.maximum(growth, 0) + SMALLEST_GROWTH)
+        unstable = at_centre | is_unstable(peak - np.maximum(growth, 0), 0.0)
     for array in (all_loads, all_frequencies, growth, error, peak, unstable):
         array.flags.writeable = False
     seeded = int((unstable & ~at_centre).sum())

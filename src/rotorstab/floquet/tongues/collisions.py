@@ -14,7 +14,6 @@ import numpy as np
 
 from ..._numerics.angles import wrapped
 from ..._numerics.parabola import parabola_maximum
-from ..._tolerances import SMALLEST_GROWTH
 from ..._types import AnyArray, Array, Complex, Index, Mask
 from ..criterion import is_unstable
 from ..interpolant.characteristic import quartic_multipliers, self_inversive_multipliers
@@ -163,7 +162,7 @@ def _growth_peaks(growth: Array, span: Array) -> Collisions:
     square = np.pad(np.maximum(np.nan_to_num(growth), 0) ** 2, ((0, 0), (1, 1)))
     three = np.stack([square[:, :-2], square[:, 1:-1], square[:, 2:]], axis=-1)
     before, here, after = np.moveaxis(three, -1, 0)
-    peak = (here >= before) & (here > after) & (here > (SMALLEST_GROWTH * span) ** 2)
+    peak = (here >= before) & (here > after) & is_unstable(growth / span, 0.0)
     row, column = np.nonzero(peak)
     shift, *_ = parabola_maximum(np.array([-1.0, 0.0, 1.0]), three[peak])
     period = np.clip(span[column] + width * shift, span[0], span[-1])

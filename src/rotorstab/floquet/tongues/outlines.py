@@ -12,11 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._arguments import number, whole_number
-from ..._tolerances import SAME_FREQUENCY, SMALLEST_GROWTH
+from ..._tolerances import SAME_FREQUENCY
 from ..._types import Array, Mask
 from ...model.stiffness import largest_exact_load
 from ...model.system import System
-from ..point import growth_rate
+from ...whirl.frequencies import whirl_frequencies
+from ..criterion import mean_is_unstable
 from ..resonance import ResonanceTable, resonances
 from .intervals import Interval, unstable_intervals
 from .linking import Piece, linked_pieces
@@ -132,7 +133,7 @@ def unstable_outlines(
     loads = np.linspace(0.0, largest, count)
     found = unstable_intervals(system, static, loads[1:], low, high)
     step = float(loads[1])
-    if found[0] and growth_rate(system, static, 0.0, high) > SMALLEST_GROWTH:
+    if found[0] and mean_is_unstable(whirl_frequencies(system, static)):
         found.insert(0, [Interval(low, high)])  # the rotor grows without any pulsation
     else:
         loads = loads[1:]
