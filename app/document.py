@@ -11,8 +11,8 @@ import panel as pn
 from markupsafe import Markup
 
 from rotorstab.charts import ROLES, Role
+from rotorstab.drawing.formats import FORMATS
 
-from .background.printing import FORMATS
 from .background.threads import turn
 from .pages import PAGES
 from .pages.lessons import cards
@@ -151,6 +151,7 @@ def build() -> pn.Template:
     }
     template.add_variable("legends", legends)
     template.add_variable("download", download)
+    template.add_variable("formats", tuple(FORMATS))
     template.add_variable("first", session.first)
     return template
 

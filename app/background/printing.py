@@ -7,33 +7,20 @@ are kept.
 from __future__ import annotations
 
 from collections import OrderedDict, deque
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Hashable, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from functools import partial
 from threading import Lock
 from typing import Any
 
-from rotorstab.drawing import printed, tables
+from rotorstab.drawing import printed
+from rotorstab.drawing.formats import TABLE_FORMATS
 from rotorstab.paper import Figure
 
 from .processes import Worker, settle
 
-__all__ = ["FORMATS", "MIME", "Printer", "gather", "printer"]
-
-MIME = {
-    "pdf": "application/pdf",
-    "svg": "image/svg+xml",
-    "png": "image/png",
-    "csv": "text/csv",
-    "json": "application/json",
-    "html": "text/html",
-}
-FORMATS = ("pdf", "svg", "png", "csv", "json")
-_TABLES: dict[str, Callable[[Figure], str]] = {
-    "csv": tables.figure_csv,
-    "json": tables.figure_json,
-}
+__all__ = ["Printer", "gather", "printer"]
 
 
 @dataclass(eq=False)
@@ -46,18 +33,18 @@ class _Job:
 
     def begin(self, worker: Worker) -> Future[Any]:
         """Return the future of the process's call."""
-        if self.kind in _TABLES:
-            return worker.call(_TABLES[self.kind], self.figure)
+        if self.kind in TABLE_FORMATS:
+            return worker.call(TABLE_FORMATS[self.kind].figure, self.figure)
         return worker.call(printed.figure_files, self.figure, (self.kind,))
 
     def end(self, made: Future[Any]) -> None:
         """Complete the file's future with the outcome of the call."""
 
         def data() -> bytes:
-            if self.kind in _TABLES:
+            if self.kind in TABLE_FORMATS:
                 text: str = made.result()
-                # Excel reads UTF-8 only behind a byte order mark
-                return text.encode("utf-8-sig" if self.kind == "csv" else "utf-8")
+                marked = TABLE_FORMATS[self.kind].marked_for_excel
+                return text.encode("utf-8-sig" if marked else "utf-8")
             files: dict[str, bytes] = made.result()
             return files[self.kind]
 
@@ -87,7 +74,7 @@ class Printer:
             What the figure shows; the same key and kind give the same future.
         figure : Figure
         kind : str
-            One of `FORMATS`.
+            A name in `rotorstab.drawing.formats.FORMATS`.
         owner : hashable
             On whose behalf the file is made. Of two owners with requests each has every second
             turn.

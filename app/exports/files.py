@@ -17,8 +17,9 @@ from functools import partial
 from typing import Any
 
 from rotorstab.charts import Chart, chart_figure
+from rotorstab.drawing.formats import FORMATS
 
-from ..background.printing import FORMATS, MIME, gather, printer
+from ..background.printing import gather, printer
 from ..background.processes import background
 from ..background.threads import Scheduler
 from ..pages.base import Need, Page, Reply
@@ -142,11 +143,11 @@ class Files:
                 background.withdraw(need.function, *need.arguments)
 
 
-def _file(name: str, kind: str, data: bytes) -> dict[str, Any]:
+def _file(name: str, mime: str, data: bytes) -> dict[str, Any]:
     """Return a file in the form that the browser saves."""
     return {
         "told": f"{name} is ready",
-        "file": {"name": name, "mime": MIME[kind], "base64": b64encode(data).decode()},
+        "file": {"name": name, "mime": mime, "base64": b64encode(data).decode()},
     }
 
 
@@ -158,12 +159,12 @@ def _snapshot(page: Page, state: State) -> tuple[Page, State]:
 def export(page: Page, state: State, message: Mapping[str, Any]) -> Reply:
     """Return the answer to a request for a live chart or a figure of the paper as a file."""
     kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
-    if kind not in FORMATS:
+    if not isinstance(kind, str) or kind not in FORMATS:
         return Reply({"told": "no such file format"})
     if isinstance(chart, str) and chart in page.charts:
-        return _export_chart(page, state, chart, str(kind))
+        return _export_chart(page, state, chart, kind)
     if is_figure(number):
-        return _export_figure(state, number, message.get("floquet") is True, str(kind))
+        return _export_figure(state, number, message.get("floquet") is True, kind)
     return Reply({"told": "no such chart"})
 
 
@@ -183,7 +184,7 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
         if drawn is None:  # the inspector's, after its marker is gone
             return Reply({"told": "no such chart"})
         file = _print_chart(drawn, chart, kind, page, state, owner)
-        return Reply(_making_message(name), file, partial(_file, name, kind))
+        return Reply(_making_message(name), file, partial(_file, name, FORMATS[kind].mime))
 
     return Reply(_making_message(name), follow_up=(page.need(state), answer))
 
@@ -202,7 +203,7 @@ def _export_figure(owner: State, number: int, floquet: bool, kind: str) -> Reply
 
     def answer() -> Reply:
         file = printer.file((number, floquet), paper_figure(number, floquet), kind, owner)
-        return Reply(_making_message(name), file, partial(_file, name, kind))
+        return Reply(_making_message(name), file, partial(_file, name, FORMATS[kind].mime))
 
     return Reply(_making_message(name), follow_up=(figure_need(number, floquet), answer))
 
@@ -229,7 +230,7 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
             address = page_address(message.get("at"))
             paragraphs = _paragraphs(content)
             html = report_html(state, result.numbers, paragraphs, by_title, query, address)
-            return _file(name, "html", html.encode())
+            return _file(name, "text/html", html.encode())
 
         return Reply(_making_message(name), gather(list(pictures.values())), file_content)
 

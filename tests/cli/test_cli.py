@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
@@ -13,6 +14,7 @@ import pytest
 
 from rotorstab.__main__ import main
 from rotorstab.cli import commands
+from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS, TABLE_FORMATS, PictureFormat
 from rotorstab.model.lumped import STIFFNESS_LAWS
 from rotorstab.paper import CONCLUSIONS, FIGURES
 
@@ -36,6 +38,22 @@ def test_figure_is_written_in_every_format(suffix, tmp_path, capsys):
     assert path.stat().st_size > 1000
     assert main(["figure", "2", "--output", str(path)]) == 2
     assert capsys.readouterr().err == f"rotorstab: {path} exists; --force overwrites it\n"
+
+
+def test_a_format_that_is_added_is_offered_and_written(monkeypatch, tmp_path, capsys):
+    picture = PictureFormat("image/webp", lambda heading: None)
+    table = replace(TABLE_FORMATS["csv"], mime="text/plain")
+    monkeypatch.setitem(PICTURE_FORMATS, "webp", picture)
+    monkeypatch.setitem(TABLE_FORMATS, "txt", table)
+    monkeypatch.setitem(FORMATS, "webp", picture)
+    monkeypatch.setitem(FORMATS, "txt", table)
+    assert main(["figure", "--help"]) == 0
+    assert ".pdf .svg .png .csv .json .webp .txt" in " ".join(capsys.readouterr().out.split())
+    for name, beginning in (("a.webp", b"RIFF"), ("a.txt", b"# Figure 2.")):
+        assert main(["figure", "2", "--output", str(tmp_path / name)]) == 0
+        assert (tmp_path / name).read_bytes().startswith(beginning)
+    assert main(["table1", "--output", str(tmp_path / "b.txt"), "--excel"]) == 0
+    assert (tmp_path / "b.txt").read_bytes().startswith(b"\xef\xbb\xbf# Table 1")
 
 
 def test_force_overwrites(tmp_path):

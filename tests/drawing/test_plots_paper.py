@@ -11,7 +11,8 @@ pytest.importorskip("matplotlib")
 from app.results.analysis import CHARTS  # noqa: E402
 from app.session import Session  # noqa: E402
 from rotorstab.charts import chart_figure  # noqa: E402
-from rotorstab.drawing.printed import PRINT_FORMATS, figure_files, paper_layout  # noqa: E402
+from rotorstab.drawing.formats import PICTURE_FORMATS  # noqa: E402
+from rotorstab.drawing.printed import figure_files, paper_layout  # noqa: E402
 from rotorstab.paper import FIGURES, FLOQUET_FIGURES  # noqa: E402
 
 
@@ -32,7 +33,7 @@ def test_drawn_lines_and_regions_are_the_arrays(number):
 
 def test_files_are_of_their_kind_and_the_same_every_time():
     figure = FIGURES[8](points=41)
-    first, second = (figure_files(figure, PRINT_FORMATS) for _ in range(2))
+    first, second = (figure_files(figure, tuple(PICTURE_FORMATS)) for _ in range(2))
     assert first == second
     assert first["pdf"].startswith(b"%PDF-")
     assert b"/CreationDate" not in first["pdf"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -17,8 +17,8 @@ from unicodedata import combining
 import numpy as np
 
 from .._arguments import number
-from ..drawing import tables
 from ..drawing.files import write_file
+from ..drawing.formats import FORMATS, PICTURE_FORMATS, TABLE_FORMATS
 from ..model.finite_element import finite_element
 from ..model.lumped import lumped
 from ..model.system import System
@@ -47,39 +47,37 @@ __all__ = [
     "run_whirl",
 ]
 
-_DRAWN = (".pdf", ".svg", ".png")
-_TABLES = (".csv", ".json")
 MOST_VALUES = 10_000
 """Largest number of values a range or a sweep may have."""
 
 
-def _suffix(path: str, allowed: Sequence[str]) -> str:
-    """Return a file name's ending, which chooses the format."""
-    suffix = Path(path).suffix.lower()
-    if suffix not in allowed:
-        raise ValueError(f"`--output` must end in {', '.join(allowed)}, got {path!r}")
-    return suffix
+def _format(path: str, allowed: Iterable[str]) -> str:
+    """Return the format of a file, which is the ending of its name."""
+    name = Path(path).suffix.lower()[1:]
+    if name not in allowed:
+        endings = ", ".join(f".{name}" for name in allowed)
+        raise ValueError(f"`--output` must end in {endings}, got {path!r}")
+    return name
 
 
-def _figure_data(figure: Figure, suffixes: Sequence[str]) -> dict[str, bytes | str]:
-    """Return a figure in the formats of some file endings."""
+def _figure_data(figure: Figure, formats: Sequence[str]) -> dict[str, bytes | str]:
+    """Return a figure as the contents of files, by format."""
     data: dict[str, bytes | str] = {}
-    drawn = [suffix[1:] for suffix in suffixes if suffix in _DRAWN]
+    drawn = [name for name in formats if name in PICTURE_FORMATS]
     if drawn:
         try:
             from ..drawing.printed import figure_files
 
-            files = figure_files(figure, drawn)
+            data |= figure_files(figure, drawn)
         except ImportError as error:
+            others = " or ".join(f".{name}" for name in TABLE_FORMATS)
             raise ValueError(
                 f".{drawn[0]} needs {error.name}, which is not installed: "
-                "pip install 'rotorstab[app]', or write .csv or .json"
+                f"pip install 'rotorstab[app]', or write {others}"
             ) from None
-        data |= {f".{name}": content for name, content in files.items()}
-    if ".csv" in suffixes:
-        data[".csv"] = tables.figure_csv(figure)
-    if ".json" in suffixes:
-        data[".json"] = tables.figure_json(figure)
+    for name in formats:
+        if name in TABLE_FORMATS:
+            data[name] = TABLE_FORMATS[name].figure(figure)
     return data
 
 
@@ -123,22 +121,23 @@ def _emit(
     text: str,
     data: Callable[[str], bytes | str],
     arguments: argparse.Namespace,
-    allowed: Sequence[str],
+    allowed: Iterable[str],
 ) -> None:
-    """Print the text, or write the file that `--output` names."""
+    """Print the text, or write the file that `--output` names in one of the allowed formats."""
     if arguments.output is None:
         sys.stdout.write(text)
         return
-    suffix = _suffix(arguments.output, allowed)
+    name = _format(arguments.output, allowed)
     path = Path(arguments.output)
     if path.exists() and not arguments.force:
         raise ValueError(f"{path} exists; --force overwrites it")
-    write_file(path, _marked(data(suffix), suffix, arguments), arguments.force)
+    write_file(path, _marked(data(name), name, arguments), arguments.force)
 
 
-def _marked(data: bytes | str, suffix: str, arguments: argparse.Namespace) -> bytes | str:
+def _marked(data: bytes | str, name: str, arguments: argparse.Namespace) -> bytes | str:
     """Begin a CSV with a byte order mark where `--excel` asks for it: Excel then reads UTF-8."""
-    if suffix == ".csv" and isinstance(data, str) and arguments.excel:
+    marked = name in TABLE_FORMATS and TABLE_FORMATS[name].marked_for_excel
+    if marked and isinstance(data, str) and arguments.excel:
         return "\ufeff" + data
     return data
 
@@ -158,21 +157,20 @@ def run_figure(arguments: argparse.Namespace) -> None:
     figure = paper_figure(arguments.number, arguments.floquet)
     _emit(
         _reading(figure.heading, figure.reading),
-        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        lambda name: _figure_data(figure, [name])[name],
         arguments,
-        (*_DRAWN, *_TABLES),
+        FORMATS,
     )
 
 
 def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Namespace) -> None:
     """Write every figure and the table, or nothing if a file exists and may not be overwritten."""
     force = arguments.force
-    known = [suffix[1:] for suffix in (*_DRAWN, *_TABLES)]
     for name in formats:
-        if name not in known:
-            raise ValueError(f"`--formats` must be among {','.join(known)}, got {name!r}")
+        if name not in FORMATS:
+            raise ValueError(f"`--formats` must be among {','.join(FORMATS)}, got {name!r}")
     directory.mkdir(exist_ok=True)
-    table = [name for name in formats if name in ("csv", "json")]
+    table = [name for name in formats if name in TABLE_FORMATS]
     names = [f"figure_{n}.{name}" for n in FIGURES for name in formats]
     names += [f"table_1.{name}" for name in table]
     taken = [name for name in names if (directory / name).exists()]
@@ -180,12 +178,12 @@ def _write_all(directory: Path, formats: Sequence[str], arguments: argparse.Name
         raise ValueError(f"{directory / taken[0]} exists; --force overwrites it")
     for n in FIGURES:
         figure = paper_figure(n, arguments.floquet)
-        for suffix, content in _figure_data(figure, [f".{name}" for name in formats]).items():
-            content = _marked(content, suffix, arguments)
-            write_file(directory / f"figure_{n}{suffix}", content, force)
+        for name, content in _figure_data(figure, formats).items():
+            content = _marked(content, name, arguments)
+            write_file(directory / f"figure_{n}.{name}", content, force)
     for name in table:
-        data = tables.table_csv(table_1()) if name == "csv" else tables.table_json(table_1())
-        write_file(directory / f"table_1.{name}", _marked(data, f".{name}", arguments), force)
+        data = TABLE_FORMATS[name].table(table_1())
+        write_file(directory / f"table_1.{name}", _marked(data, name, arguments), force)
     sys.stdout.write(f"{len(names)} files in {directory}\n")
 
 
@@ -200,8 +198,7 @@ def run_table(arguments: argparse.Namespace) -> None:
             "rotorstab": [row.ours for row in table.rows],
         }
     )
-    formats = {".csv": tables.table_csv, ".json": tables.table_json}
-    _emit(text, lambda suffix: formats[suffix](table), arguments, _TABLES)
+    _emit(text, lambda name: TABLE_FORMATS[name].table(table), arguments, TABLE_FORMATS)
 
 
 def run_conclusions(_: argparse.Namespace) -> None:
@@ -225,7 +222,7 @@ def _verdict(method: str, statement: Statement) -> list[str]:
 def run_validation(arguments: argparse.Namespace) -> None:
     """Write or print the validation table."""
     text = validation_markdown()
-    _emit(text, lambda _: text, arguments, (".md",))
+    _emit(text, lambda _: text, arguments, ("md",))
 
 
 def _rotor(arguments: argparse.Namespace) -> ShaftDisk:
@@ -272,12 +269,11 @@ def run_whirl(arguments: argparse.Namespace) -> None:
         "frequency above 0: forward whirl, below 0: backward",
     ]
     parameters = _parameters(arguments, "external_damping", "internal_damping")
-    formats = {".csv": tables.columns_csv, ".json": tables.columns_json}
     _emit(
         _text_table(columns),
-        lambda suffix: formats[suffix]("Whirl frequencies", details, parameters, columns),
+        lambda name: TABLE_FORMATS[name].columns("Whirl frequencies", details, parameters, columns),
         arguments,
-        _TABLES,
+        TABLE_FORMATS,
     )
 
 
@@ -300,7 +296,7 @@ def run_regions(arguments: argparse.Namespace) -> None:
                     column.append(value)
     _emit(
         _text_table(columns),
-        lambda suffix: _figure_data(figure, [suffix])[suffix],
+        lambda name: _figure_data(figure, [name])[name],
         arguments,
-        (*_DRAWN, *_TABLES),
+        FORMATS,
     )

@@ -9,7 +9,7 @@ import argparse
 import os
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import fields
 from importlib.metadata import PackageNotFoundError, entry_points, version
@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from ..drawing.formats import FORMATS, TABLE_FORMATS
 from ..model.lumped import STIFFNESS_LAWS
 from ..paper import FIGURES
 from ..rotors.shaft_disk import ShaftDisk
@@ -113,9 +114,11 @@ def _values(text: str) -> NDArray[np.float64]:
         ) from None
 
 
-def _add_output(parser: argparse.ArgumentParser, formats: str) -> None:
-    parser.add_argument("--output", metavar="FILE", help=f"write a file: {formats}")
-    if ".csv" in formats:
+def _add_output(parser: argparse.ArgumentParser, formats: Iterable[str]) -> None:
+    endings = " ".join(f".{name}" for name in formats)
+    parser.add_argument("--output", metavar="FILE", help=f"write a file: {endings}")
+    tables = [TABLE_FORMATS[name] for name in formats if name in TABLE_FORMATS]
+    if any(table.marked_for_excel for table in tables):
         parser.add_argument(
             "--excel", action="store_true", help="begin .csv with a byte order mark, for Excel"
         )
@@ -151,7 +154,7 @@ def _parser() -> argparse.ArgumentParser:
     figure.add_argument("number", nargs="?", type=int, choices=tuple(FIGURES), metavar="NUMBER")
     figure.add_argument("--all", metavar="DIRECTORY", help="write every figure and Table 1")
     figure.add_argument(
-        "--formats", default="pdf,svg,png,csv,json", help="with --all, default %(default)s"
+        "--formats", default=",".join(FORMATS), help="with --all, default %(default)s"
     )
     figure.add_argument(
         "--floquet",
@@ -159,18 +162,18 @@ def _parser() -> argparse.ArgumentParser:
         help="4 to 9: add the regions that are unstable by Floquet's method, and which statements "
         "of the paper still hold",
     )
-    _add_output(figure, ".pdf .svg .png .csv .json")
+    _add_output(figure, FORMATS)
     figure.set_defaults(run=run_figure)
 
     table = commands.add_parser("table1", help="Table 1 and what follows from it")
-    _add_output(table, ".csv .json")
+    _add_output(table, TABLE_FORMATS)
     table.set_defaults(run=run_table)
 
     conclusions = commands.add_parser("conclusions", help="the paper's conclusions, checked")
     conclusions.set_defaults(run=run_conclusions)
 
     validation = commands.add_parser("validation", help="published values beside ours")
-    _add_output(validation, ".md")
+    _add_output(validation, ("md",))
     validation.set_defaults(run=run_validation)
 
     sweep = (
@@ -182,7 +185,7 @@ def _parser() -> argparse.ArgumentParser:
     whirl.add_argument("--spin-speed", **several, help=sweep)
     whirl.add_argument("--load", **several, help=sweep)
     _add_rotor(whirl)
-    _add_output(whirl, ".csv .json")
+    _add_output(whirl, TABLE_FORMATS)
     whirl.set_defaults(run=run_whirl)
 
     regions = commands.add_parser("regions", help="Bolotin regions of your own rotor")
@@ -190,7 +193,7 @@ def _parser() -> argparse.ArgumentParser:
     regions.add_argument("--static-factor", **several, help=f"α_s, up to three: {sweep}")
     regions.add_argument("--largest-factor", type=float, default=1.0, help="β_d, top of the chart")
     _add_rotor(regions)
-    _add_output(regions, ".pdf .svg .png .csv .json")
+    _add_output(regions, FORMATS)
     regions.set_defaults(run=run_regions)
 
     for entry in entry_points(group=INSTALLED_COMMANDS):

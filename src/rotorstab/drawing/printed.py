@@ -19,12 +19,11 @@ except ImportError as error:
 from ..charts import Figure
 from ..charts.instability import BOLOTIN
 from ..charts.tongues import FLOQUET
+from .formats import PICTURE_FORMATS
 from .printed_panel import DASHES, FILL, PALE, PANEL_INCHES, SHADE, marker, panel_overlay
 from .typesetting import finish_panel, mathtext
 
-__all__ = ["PRINT_FORMATS", "figure_files", "paper_layout"]
-
-PRINT_FORMATS = ("pdf", "svg", "png")
+__all__ = ["figure_files", "paper_layout"]
 
 _SINGLE_INCHES = (5.6, 3.8)
 _WIDE_INCHES = (7.2, 2.75)  # with Floquet: a panel a row, for narrow tongues
@@ -78,7 +77,7 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
     figure : Figure
         From `rotorstab.paper` or `rotorstab.charts.chart_figure`.
     formats : sequence of {"pdf", "svg", "png"}
-        PNG has 300 dots per inch.
+        Names in `formats.PICTURE_FORMATS`. PNG has 300 dots per inch.
 
     Returns
     -------
@@ -91,19 +90,13 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
         For another format.
     """
     for name in formats:
-        choice("file format", name, PRINT_FORMATS)
+        choice("file format", name, tuple(PICTURE_FORMATS))
     try:
         import matplotlib
         from matplotlib import pyplot
     except ImportError as error:
         raise extra_is_missing(__name__, error) from error
 
-    heading = figure.heading
-    metadata: dict[str, dict[str, Any]] = {
-        "pdf": {"CreationDate": None, "ModDate": None, "Title": heading},
-        "svg": {"Date": None, "Title": heading},
-        "png": {"Title": heading.encode("ascii", "replace").decode()},
-    }
     files = {}
     # the calling process may have its own settings: they are put back
     with matplotlib.rc_context(_SETTINGS):
@@ -111,7 +104,8 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
         _arrange(drawn, figure)
         for name in formats:
             stream = BytesIO()
-            drawn.savefig(stream, format=name, dpi=300, metadata=metadata[name])
+            metadata = PICTURE_FORMATS[name].metadata(figure.heading)
+            drawn.savefig(stream, format=name, dpi=300, metadata=metadata)
             files[name] = stream.getvalue()
         pyplot.close(drawn)
     return files
