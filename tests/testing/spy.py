@@ -19,8 +19,11 @@ from app.state import State
 from rotorstab import ResonanceTable, ShaftDisk, System, critical_load, flutter_load, lumped
 from rotorstab import fundamental_frequency as frequency_of
 
-# modules of the library that draw or write; what they get has been through the solver
+# modules of the app whose calls are not watched: see `entry_points`
+NOT_WATCHED = ("app.main", "app.app_hooks", "app.background.settling", "app.lessons.__main__")
+# modules of the library that draw, write or judge; what they get has been through the solver
 LEFT_OUT = (
+    "rotorstab.floquet.criterion",
     "rotorstab.charts",
     "rotorstab.drawing.screen",
     "rotorstab.drawing.tables",
@@ -140,8 +143,9 @@ def entry_points():
     """(module, name, function) of every solver function that a module of the app calls by name."""
     points = []
     for info in pkgutil.walk_packages(app.__path__, "app."):
-        # app.background.settling hands a function by name to another process
-        if info.name in ("app.document", "app.background.settling", "app.lessons.__main__"):
+        # the entry points of a server change Bokeh in this process, and app.background.settling
+        # hands a function by name to another one
+        if info.name in NOT_WATCHED:
             continue
         module = importlib.import_module(info.name)
         for name, one in vars(module).items():
