@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from contextlib import nullcontext
 from pathlib import Path
 from types import MappingProxyType
 
 import panel as pn
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 from rotorstab.charts import ROLES, Role
 from rotorstab.drawing.formats import FORMATS
@@ -115,6 +116,18 @@ def layout() -> str:
 LAYOUT = layout()
 
 
+def with_subscripts(text: str) -> Markup:
+    """Return a text as HTML with subscripts, such as β_d, as `rich` in page.js sets it.
+
+    The first paint keeps room for these words: with other markup they might wrap differently.
+    """
+    parts = re.split(r"(?<!\w)([^\W\d_][\u0300-\u036f]?)_([^\W_]+)", text)
+    found = Markup(escape(parts[0]))
+    for symbol, index, rest in zip(parts[1::3], parts[2::3], parts[3::3], strict=True):
+        found += Markup('<span class="symbol">{}<sub>{}</sub></span>{}').format(symbol, index, rest)
+    return found
+
+
 def download(key: str) -> Markup:
     """Return the export menu of a live chart."""
     options = Markup("").join(
@@ -152,7 +165,8 @@ def build() -> pn.Template:
     template.add_variable("legends", legends)
     template.add_variable("download", download)
     template.add_variable("formats", tuple(FORMATS))
-    template.add_variable("first", session.first)
+    first = session.first
+    template.add_variable("first", first | {"words": with_subscripts(first["words"])})
     return template
 
 

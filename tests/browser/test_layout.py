@@ -148,7 +148,8 @@ def test_words_on_the_white_picture_can_be_read_in_the_dark(open_page):
 
 def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     page = open_page(390, 900, path="/app?v=1&u=SI&p1=spin_1~~slow&p2=md_8~~heavy&p3=as_0.4~~c")
-    page.locator(".pin-table td").first.wait_for(state="visible")
+    # each pin of an address is solved in a turn of its own
+    page.wait_for_function("document.querySelector('[data-pin-full]').textContent !== ''")
     lines = page.evaluate(
         """() => [...document.querySelectorAll(".pin-table td")].map((cell) => {
           const range = document.createRange();
