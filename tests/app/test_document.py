@@ -9,10 +9,7 @@ from app.document import with_subscripts
     ("text", "html"),
     [
         ("at β_d = 0.1", 'at <span class="symbol">β<sub>d</sub></span> = 0.1'),
-        (
-            "p̄_cr and P_t",
-            '<span class="symbol">p̄<sub>cr</sub></span> and <span class="symbol">P<sub>t</sub></span>',
-        ),
+        ("p̄_cr", '<span class="symbol">p̄<sub>cr</sub></span>'),
         ("<b> x", "&lt;b&gt; x"),
         ("", ""),
     ],
