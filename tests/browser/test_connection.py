@@ -57,6 +57,10 @@ class Stub:
         self.opened = 0
         self.status = 200
         self.files = {f"/static/{name}": answers for name, answers in files}
+        self.pending = set()
+        self.page.on("request", lambda request: self.pending.add(request))
+        for ending in ("requestfinished", "requestfailed"):
+            self.page.on(ending, lambda request: self.pending.discard(request))
         self.context.route("**/*", self.answer)
         self.visit("/app?v=1")
 
@@ -78,7 +82,9 @@ class Stub:
         path = route.request.url.removeprefix(SITE).partition("?")[0]
         if path in self.files:
             status = self.files[path].pop(0)
-            if status != "hangs":
+            if status == "hangs":
+                self.pending.discard(route.request)
+            else:
                 route.fulfill(status=status, body="")
         elif route.request.method == "HEAD":
             if self.status is None:
@@ -99,10 +105,18 @@ class Stub:
         for _ in range(seconds):
             before = self.opened
             self.page.clock.run_for(1000)
-            self.page.wait_for_timeout(20)
+            self.settle()
             if self.opened != before:
                 self.ready()
                 return
+
+    def settle(self):
+        """Wait in real time until every request has its answer, however busy the machine is."""
+        for _ in range(500):
+            self.page.wait_for_timeout(20)
+            if not self.pending:
+                return
+        raise AssertionError(f"no answer: {[one.url for one in self.pending]}")
 
     def told(self):
         return self.page.evaluate(
