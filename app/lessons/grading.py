@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rotorstab._tolerances import DECIMAL_ROUNDING
+
 from ..reading.numbers import TwoReadings, read_number
 from ..words.refusals import user_message
 from .evaluation import evaluate
@@ -208,6 +210,6 @@ def _grade_number(step: Step, number: float | None, right: float) -> Grade:
         return Grade(False, f"A number from {low} to {high}, please.", counted=False)
     allowed = question.tolerance * (abs(right) if question.relative else 1.0)
     # a number at the very edge of the tolerance is right, whatever rounding adds
-    if abs(number - right) <= allowed * (1 + 1e-9):
+    if abs(number - right) <= allowed * (1 + DECIMAL_ROUNDING):
         return Grade(True, f"Yes. {solver_answer(step)}")
     return Grade(False, question.hint)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from rotorstab import Scales, TimeResponse, shaft_shape
+from rotorstab._tolerances import CURVES_SHORT_OF_POLE
 from rotorstab.model.stiffness import largest_exact_load
 
 from ..results.marked_point import Point
@@ -24,9 +25,8 @@ def animation(
     """Return what the animation draws, displacements relative to the largest one."""
     load, unit = (1.0, "") if scales is None else load_in(scales)
     pole = float(largest_exact_load(point.model.rotor.shear))
-    shapes = shaft_shape(
-        point.model.rotor, min(point.static, 0.9 * pole), np.eye(2), _SHAPE_POINTS
-    ).displacement
+    load_of_shape = min(point.static, (1 - CURVES_SHORT_OF_POLE) * pole)
+    shapes = shaft_shape(point.model.rotor, load_of_shape, np.eye(2), _SHAPE_POINTS).displacement
     largest = float(np.abs(response.displacement).max()) or 1.0
     tip, slope = response.displacement / largest, response.slope / largest
     return {

@@ -18,6 +18,7 @@ from rotorstab import (
     load_frequency_curves,
     lumped,
 )
+from rotorstab._tolerances import CURVES_SHORT_OF_POLE, FLUTTER_IN_VIEW
 from rotorstab.model.stiffness import largest_exact_load
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
@@ -85,10 +86,11 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     buckling = rotor_numbers(rotor)[0]
     pole = float(largest_exact_load(rotor.shear))
     at = flutter(rotor, spin_speed)
-    far = max(1.6 * buckling, 1.2 * at if at < 0.8 * pole else 0.0)
+    far = max(1.6 * buckling, 1.2 * at if at < (1 - FLUTTER_IN_VIEW) * pole else 0.0)
     step = 0.5
     low = -step * np.ceil(buckling / step)
-    return np.linspace(low, min(step * np.ceil(far / step), 0.9 * pole), LOADS)
+    high = min(step * np.ceil(far / step), (1 - CURVES_SHORT_OF_POLE) * pole)
+    return np.linspace(low, high, LOADS)
 
 
 def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:

@@ -49,6 +49,18 @@ The coefficients of a quartic hold half of the digits of roots that nearly meet:
 distance is 1e-16/1e-4 = 1e-12 of λ, and it grows as they come closer.
 """
 
+SAME_BOUNDARY = 1e-9
+"""Distance in θ/ω_n up to which a reading of the paper takes two boundary curves for one.
+
+Both are roots of one quartic, known to 1e-12 or better, and interpolated on the same loads.
+"""
+
+NO_WIDTH = 1e-6
+"""Width in θ/ω_n below which a reading says that a region has none where nothing pulsates.
+
+The two boundaries of a resting rotor start from a double root, which is known to 1e-8.
+"""
+
 SAME_START = 9
 """Decimal digits of ω²/max|ω²| to which two boundary curves start from the same point.
 
@@ -80,17 +92,17 @@ VISIBLE_GROWTH = 1e-6
 Without damping a tongue of order k ≥ 2 reaches down to p̄_t = 0 as a cusp, so the smallest load
 depends on the growth that counts. This is the smallest one that stands clear of `SMALLEST_GROWTH`
 along a whole cusp. Mean rotors that decay more slowly count as undamped.
-"""
 
-DOUBTFUL_ON_MAP = 1e-6
-"""Growth rate σ̄ in a tongue narrower than a pixel below which a doubtful one counts as stable.
-
-A doubtful growth rate is smaller than its error bound; above this it is solved again point by
-point. It is `VISIBLE_GROWTH`, so that a map does not lack what a margin counts.
+On a map it is also the growth rate, in a tongue narrower than a pixel, from which a doubtful one is
+solved again point by point: a map must not lack what a margin counts. A growth rate is doubtful if
+it is smaller than its error bound.
 """
 
 DOUBTFUL_IN_OUTLINE = 3e-5
-"""As `DOUBTFUL_ON_MAP`, for outlines: larger, for these are drawn while a slider moves."""
+"""Growth rate σ̄ below which a doubtful tongue is left out of the outlines.
+
+It is larger than `VISIBLE_GROWTH` of the maps, for outlines are drawn while a slider moves.
+"""
 
 FIRST_ORDER_GROWTH = 1e-4
 """Growth of averaged amplitudes, relative to the strongest coupling, that counts.
@@ -120,6 +132,44 @@ NO_VERDICT = 1.0
 """Error of ln max|μ| from which a doubtful pixel has no verdict.
 
 Not even the order of magnitude of the multiplier is known then.
+"""
+
+# How near to the pole of the exact stiffness answers go, as a part of the load at the pole
+
+FLUTTER_SEARCH_SHORT_OF_POLE = 1e-9
+"""The search for flutter ends so much below the pole: K is still finite, and nothing is missed."""
+
+MAP_SHORT_OF_POLE = 1e-3
+"""Charts over the pulsating load end so much below the pole, and the map is blank beyond.
+
+The stiffness, and with it the number of steps of every integrator, grows without bound there.
+"""
+
+COEFFICIENTS_SHORT_OF_POLE = 0.015
+"""Charts of the influence coefficients end so much below the pole.
+
+There k₂₂ is 20 to 30 times as large as without load, far outside its chart.
+"""
+
+CURVES_SHORT_OF_POLE = 0.1
+"""Whirl curves, outlines of tongues and the shape of the shaft are drawn so far from the pole only.
+
+Of outlines it is the part of the way from the mean load to the pole. Nearer, single frequencies
+run away, and their curves leave no room for the others.
+"""
+
+FLUTTER_IN_VIEW = 0.2
+"""The axis of the whirl curves reaches to a flutter load that is farther below the pole than this.
+
+It is twice `CURVES_SHORT_OF_POLE`, so that some of the curve beyond flutter is seen.
+"""
+
+# What agrees with a printed number
+
+DECIMAL_ROUNDING = 1e-9
+"""Part of an allowed difference by which a difference may exceed it.
+
+Decimal numbers are rounded in binary, so that 12.302 − 12.301 exceeds 0.001 by 1e-16.
 """
 
 # Edges of tongues

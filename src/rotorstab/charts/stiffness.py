@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .._numerics.roots import bracketed_roots
+from .._tolerances import COEFFICIENTS_SHORT_OF_POLE
 from .._types import Array, Index
 from ..model.stiffness import exact_stiffness, largest_exact_load, linear_stiffness
 from ..whirl.critical_loads import critical_load
@@ -24,8 +25,12 @@ ENTRIES = (
 
 LEVELS = (0.01, 0.05)
 _LARGEST_ERROR = 0.5  # most that the error chart shows
-_HEADROOM = 0.985  # how near to the pole the charts go
 _LOAD_TOLERANCE = 1e-12  # relative, of the loads at which an error reaches a level
+
+
+def _largest_load(shear: float) -> float:
+    """Return the load [EI/L²] at which the charts end, somewhat below the pole."""
+    return float(largest_exact_load(shear)) * (1 - COEFFICIENTS_SHORT_OF_POLE)
 
 
 def _both(loads: Array, shear: float, tangency: float) -> tuple[Array, Array]:
@@ -69,14 +74,14 @@ def error_loads(shear: float, tangency: float, level: float) -> Array:
     >>> error_loads(0.0192, 0.0, 0.01).shape
     (2, 2, 2)
     """
-    pole = float(largest_exact_load(shear))
+    ends = -5 * float(critical_load(shear)), _largest_load(shear)
     result = np.empty((4, 2))
 
     def below(load: Array, entry: Index) -> Array:
         error = _errors(load, shear, tangency).reshape(-1, 4)
         return np.asarray(level - error[np.arange(len(load)), entry])
 
-    for side, end in enumerate((-5 * float(critical_load(shear)), pole * _HEADROOM)):
+    for side, end in enumerate(ends):
         # an error grows with the load's distance from 0
         root = bracketed_roots(below, np.zeros(4), np.full(4, end), _LOAD_TOLERANCE)
         result[:, side] = np.where(np.isfinite(root), root, np.copysign(np.inf, end))
@@ -107,7 +112,7 @@ def stiffness_charts(
     ValueError
         If Φ or μ is out of range.
     """
-    top = min(loads[1], float(largest_exact_load(shear)) * _HEADROOM)
+    top = min(loads[1], _largest_load(shear))
     axis = np.linspace(loads[0], top, points)
     exact, linear = _both(axis, shear, tangency)
     x_range = (loads[0], top)

@@ -14,7 +14,6 @@ from .._arguments import numbers
 from .._types import Array, ArrayLike
 
 __all__ = [
-    "NEAR_POLE",
     "PastPole",
     "exact_stiffness",
     "largest_exact_load",
@@ -29,9 +28,6 @@ _FIRST_POLE = 4 * np.pi**2
 
 _SECOND_POLE = 4 * 4.493409457909064**2
 """Second pole of the exact coefficients in x: k/2 is the first positive root of tan(k/2) = k/2."""
-
-NEAR_POLE = 1e-3
-"""Part of the pole that charts keep as distance to it: nearer, their steps would never end."""
 
 _SERIES_BELOW = 2.0  # |x| below which the closed forms lose digits and the series are used
 _ORDERS = np.arange(1, 14)  # 13 terms: the next is below rounding for |x| < 2

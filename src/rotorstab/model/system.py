@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .._arguments import LARGEST, numbers
+from .._tolerances import MAP_SHORT_OF_POLE
 from .._types import AnyArray, Array, ArrayLike, Complex
 from .harmonics import exact_harmonics, pole_harmonics
-from .stiffness import NEAR_POLE, exact_stiffness, largest_exact_load, refuse_peaks
+from .stiffness import exact_stiffness, largest_exact_load, refuse_peaks
 
 __all__ = ["System", "fundamental_frequency", "single_speed"]
 
@@ -92,7 +93,7 @@ class System:
         """Load [EI/L²] where charts end: 0.1 % below the pole of the exact stiffness, else inf."""
         if self.exact_shear is None:
             return math.inf
-        return float(largest_exact_load(self.exact_shear)) * (1 - NEAR_POLE)
+        return float(largest_exact_load(self.exact_shear)) * (1 - MAP_SHORT_OF_POLE)
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
         """Return the same rotor at another spin speed.

@@ -9,7 +9,7 @@ from ..charts.structure import Chart
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.critical_loads import critical_load
 from .coefficients import CLOSE, coefficient_charts, coefficient_errors, largest_error
-from .verdicts import judge, percent
+from .verdicts import judge, matches, percent
 
 __all__ = ["figure_2"]
 
@@ -54,7 +54,7 @@ def _read_text(panels: tuple[Chart, ...]) -> tuple[Statement, ...]:
         Statement(
             "The critical load of the axially loaded shaft is 2.3558.",
             f"p̄_cr = {largest:.5f}.",
-            judge(round(largest, 4) == 2.3558),
+            judge(matches(largest, "2.3558")),
         ),
         Statement(
             "The approximate values are very close to the exact ones over a considerable range.",

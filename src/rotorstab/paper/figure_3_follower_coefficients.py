@@ -11,7 +11,7 @@ from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.critical_loads import beck_load
 from .arguments import parameters
 from .coefficients import CLOSE, coefficient_charts, coefficient_errors, largest_error
-from .verdicts import judge
+from .verdicts import judge, matches
 
 __all__ = ["figure_3"]
 
@@ -62,7 +62,7 @@ def _read_text(panels: tuple[Chart, ...], rotor: ShaftDisk) -> tuple[Statement, 
             "The critical load of the shaft under a follower load is 12.3019.",
             f"{largest:.5f}: the flutter load of the shaft alone, with its own mass, shear and "
             "rotary inertia (Beck's column).",
-            judge(abs(largest - 12.3019) < 1e-4),
+            judge(matches(largest, "12.3019")),
             "It is not a load of the lumped model, and the load factors do not use it.",
         ),
         Statement(

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import numpy as np
-
+from .._tolerances import NO_WIDTH
 from ..charts.figure import Figure, Statement
 from ..charts.structure import Chart
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
@@ -62,7 +61,7 @@ def _read_panel(panel: Chart) -> Statement:
     pairs = list(pairwise(lines))
     left_edges = [right_of(after[0], before[0]) for before, after in pairs]
     steps = " → ".join(f"{edges[0, 0]:.4f}…{edges[1, 0]:.4f}" for edges in lines)
-    if np.isclose(lines[0][0, 0], lines[0][1, 0], atol=1e-6):
+    if lines[0][1, 0] - lines[0][0, 0] < NO_WIDTH:
         right_edges = [right_of(after[1], before[1]) for before, after in pairs]
         return Statement(
             f"{panel.title}: the first region shifts right with α_s.",

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from .._tolerances import NEGLIGIBLE
 from ..bolotin.boundaries import boundary_frequencies
 from ..charts.figure import Figure, Statement
 from ..charts.structure import Chart, Curve
@@ -24,6 +25,7 @@ __all__ = ["figure_8"]
 Panels = tuple[Chart, ...]
 
 (_AXIAL, *_), (_FOLLOWER, *_) = LOAD_KINDS
+_SAME_LOAD = 0.02  # part of p̄_cr up to which a load counts as the buckling load
 
 _FLOQUET = (
     " Each upright line joins two whirls that a pulsation makes grow; its length is the θ of that "
@@ -91,7 +93,8 @@ def _trend(line: Curve, up_to: float, size: bool = True) -> float:
     """Return +1 or −1 for a monotonic |y| (or y) over 0 to a load, 0 for neither."""
     inside = line.y[(line.x <= up_to) & np.isfinite(line.y)]
     steps = np.diff(np.abs(inside) if size else inside)
-    return 1.0 if (steps >= -1e-12).all() else -1.0 if (steps <= 1e-12).all() else 0.0
+    rounding = NEGLIGIBLE * np.abs(inside).max(initial=0.0)
+    return 1.0 if (steps >= -rounding).all() else -1.0 if (steps <= rounding).all() else 0.0
 
 
 def _first_zero(line: Curve) -> float:
@@ -252,7 +255,7 @@ def _read_onsets(panels: Panels, reference: float) -> Statement:
             for panel, (axial, follower) in zip(panels, onsets, strict=True)
         )
         + f"; p̄_cr = {reference:.4f}.",
-        uphold(*(abs(axial / reference - 1) < 0.02 for axial, _ in onsets)),
+        uphold(*(abs(axial / reference - 1) < _SAME_LOAD for axial, _ in onsets)),
         "Spinning, the gyroscopic moment holds the buckled shaft until 1B, then a forward "
         "whirl, meets 1F; any external damping takes this away. Under the follower force the "
         "spin brings flutter nearer.",

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from functools import cache
 
+from .._tolerances import DECIMAL_ROUNDING
 from . import CONCLUSIONS, FIGURES, FLOQUET_CONCLUSIONS, FLOQUET_FIGURES, Statement
 from .published import PUBLISHED, Published
 
@@ -32,7 +33,7 @@ def _row(entry: Published) -> str:
     """Return one line of the table."""
     ours = round(entry.ours(), entry.decimals + 1)
     difference = round(ours - entry.value, entry.decimals + 1) + 0.0  # no −0
-    met = "yes" if abs(difference) <= entry.allowed * (1 + 1e-9) else "**no**"
+    met = "yes" if abs(difference) <= entry.allowed * (1 + DECIMAL_ROUNDING) else "**no**"
     cells = (
         entry.quantity,
         entry.unit,

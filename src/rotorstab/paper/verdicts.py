@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from .._tolerances import DECIMAL_ROUNDING, SAME_BOUNDARY
 from .._types import Array
 from ..charts.figure import Verdict
 from ..charts.structure import Chart
@@ -16,6 +17,7 @@ __all__ = [
     "groups",
     "judge",
     "listed",
+    "matches",
     "percent",
     "right_of",
     "say",
@@ -38,6 +40,12 @@ def uphold(*facts: bool | np.bool_) -> Verdict:
     if all(facts):
         return "survives"
     return "survives in part" if any(facts) else "does not survive"
+
+
+def matches(value: float, printed: str) -> bool:
+    """Return whether a value is within one unit of the last digit of a printed number."""
+    unit = 10.0 ** -len(printed.partition(".")[2])
+    return abs(value - float(printed)) <= unit * (1 + DECIMAL_ROUNDING)
 
 
 def listed(values: Iterable[float], decimals: int = 3) -> str:
@@ -76,7 +84,7 @@ def boundaries(panel: Chart, group: str, modes: tuple[str, ...] = _MODES) -> Arr
 def right_of(first: Array, second: Array) -> bool:
     """Return whether the first lies at or right of the second wherever both are real."""
     both = np.isfinite(first) & np.isfinite(second)
-    return bool((first[both] >= second[both] - 1e-9).all() and both.any())
+    return bool((first[both] >= second[both] - SAME_BOUNDARY).all() and both.any())
 
 
 def groups(panel: Chart) -> list[str]:

@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from .._arguments import number, numbers, whole_number
 from .._numerics.extrapolation import extrapolation_weights
-from .._tolerances import COALESCED
+from .._tolerances import COALESCED, FLUTTER_SEARCH_SHORT_OF_POLE
 from .._types import Array, ArrayLike
 from ..model.finite_element import finite_element
 from ..model.stiffness import largest_exact_load
@@ -20,7 +20,6 @@ from .frequencies import whirl_frequencies
 __all__ = ["beck_load", "critical_load", "flutter_load"]
 
 _STEPS = (400, 128, 128, 128, 64)  # of the nested scans for flutter: 2e-11 of the range in all
-_SHORT_OF_POLE = 1e-9  # part of the pole by which the search for flutter ends below it
 _BECK_STEPS = 64  # loads up to the pole at which the two lowest ω² are compared
 
 
@@ -94,7 +93,7 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
     single_speed(system)
     if largest_load is None:
         pole = float(largest_exact_load(system.exact_shear or 0.0))
-        largest_load = pole * (1 - _SHORT_OF_POLE)
+        largest_load = pole * (1 - FLUTTER_SEARCH_SHORT_OF_POLE)
     high = number("largest_load", largest_load, 0.0, open_low=True)
     low = 0.0
     for steps in _STEPS:

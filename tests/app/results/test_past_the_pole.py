@@ -15,7 +15,8 @@ from app.state import State
 from app.words.verdict import verdict
 from rotorstab import ShaftDisk, bolotin_chart, lumped
 from rotorstab.__main__ import main
-from rotorstab.model.stiffness import NEAR_POLE, largest_exact_load
+from rotorstab._tolerances import MAP_SHORT_OF_POLE
+from rotorstab.model.stiffness import largest_exact_load
 
 PAST = {"reference": "flutter", "law": "exact", "shear": 0.05, "largest_factor": 2.0}
 # without a flutter load below the pole at 7.98: the linear law knows one at 19.26
@@ -41,7 +42,7 @@ def test_rows_of_the_map_past_the_pole_are_blank():
     pole = float(largest_exact_load(0.05))
     static, reference = result.numbers["static_load"], result.numbers["reference"]
     assert static + 2 * reference > pole
-    limit = (pole * (1 - NEAR_POLE) - static) / reference
+    limit = (pole * (1 - MAP_SHORT_OF_POLE) - static) / reference
     assert result.floquet.ends_at == pytest.approx(limit, rel=1e-12)
     chart = result.charts["instability"]
     growth = chart.layer("growth").columns["verdict"][0]

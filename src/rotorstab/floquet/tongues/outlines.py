@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..._arguments import number, whole_number
-from ..._tolerances import SAME_FREQUENCY
+from ..._tolerances import CURVES_SHORT_OF_POLE, SAME_FREQUENCY
 from ..._types import Array, Mask
 from ...model.stiffness import largest_exact_load
 from ...model.system import System
@@ -25,7 +25,6 @@ from .linking import Piece, linked_pieces
 __all__ = ["Outline", "unstable_outlines"]
 
 _HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which pieces are named
-_NEAR_POLE = 0.9  # of the way to the pole of the exact stiffness, where the rows end
 _TIP_MOVE = 0.02  # of the root: farthest tip that is drawn on to its root at p̄_t = 0
 _TIP_ROWS = 12  # highest row from which it is
 
@@ -126,8 +125,8 @@ def unstable_outlines(
     high = number("highest_frequency", highest_frequency, low, open_low=True)
     count = whole_number("rows", rows, 8, 100_000)
     if system.exact_shear is not None:
-        room = _NEAR_POLE * (float(largest_exact_load(system.exact_shear)) - static)
-        largest = min(largest, room)
+        room = float(largest_exact_load(system.exact_shear)) - static
+        largest = min(largest, (1 - CURVES_SHORT_OF_POLE) * room)
         if largest <= 0:
             return ()
     loads = np.linspace(0.0, largest, count)

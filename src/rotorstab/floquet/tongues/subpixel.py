@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..._tolerances import DOUBTFUL_ON_MAP
+from ..._tolerances import VISIBLE_GROWTH
 from ..._types import Array, Index
 from ..interpolant.chart_interpolant import ChartInterpolant
 from ..point import floquet_solution
@@ -39,7 +39,7 @@ def growth_of_collisions(
     peak = np.zeros((len(loads), len(periods)))
     row, period, _ = multiplier_collisions(interpolant, panel, loads)
     growth, error, _ = interpolant.at_points(panel, loads[row], period, with_approach=True)
-    found = surely_unstable(interpolant, loads[row], period, growth, error, DOUBTFUL_ON_MAP)
+    found = surely_unstable(interpolant, loads[row], period, growth, error, VISIBLE_GROWTH)
     row, period, growth = row[found], period[found], growth[found]
     # the column nearest in frequency, as the pixels of the chart are
     column = np.abs(1 / periods[None, :] - 1 / period[:, None]).argmin(axis=1)

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..._tolerances import NO_WIDTH
 from ...charts.figure import Statement
 from ...model.lumped import lumped
 from ...rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN
@@ -42,7 +43,7 @@ def conclusion_b() -> Statement:
         judge(
             *lower,
             widths[0] < widths[1] < widths[2],
-            at_zero[2] < 1e-6,
+            at_zero[2] < NO_WIDTH,
             growth[0] < growth[1] < growth[2],
         ),
         "True of the position and width of Bolotin's regions. The gyroscopic widening is no loss "
