@@ -10,13 +10,13 @@ from .floquet.initial_conditions import initial_conditions
 from .floquet.point import FloquetSolution, floquet_multipliers, floquet_solution, growth_rate
 from .floquet.resonance import Resonance, ResonanceTable, resonances
 from .floquet.response import TimeResponse, time_response
-from .floquet.shaft_shape import ShaftShape, shaft_shape
 from .floquet.tongues.edges import TongueEdges, tongue_edges
 from .floquet.tongues.outlines import Outline, unstable_outlines
 from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation, stability_margin
 from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
 from .model.lumped import lumped
+from .model.shaft_shape import ShaftShape, shaft_shape
 from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, linear_stiffness
 from .model.system import System, fundamental_frequency
 from .rotors.materials import MATERIALS, Material

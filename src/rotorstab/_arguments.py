@@ -9,7 +9,7 @@ import numpy as np
 
 from ._types import Array, ArrayLike
 
-__all__ = ["LARGEST", "choice", "extra_is_missing", "number", "numbers", "series", "whole_number"]
+__all__ = ["LARGEST", "choice", "number", "numbers", "series", "whole_number"]
 
 LARGEST = 1e9
 """Largest spin speed, load and damping ratio [-]; beyond, results would be rounding errors only."""
@@ -28,15 +28,6 @@ def _shown(value: object) -> str:
         return reprlib.repr(value)
     except ValueError:  # an integer of thousands of digits
         return "an integer too long to show"
-
-
-def extra_is_missing(module: str, error: ImportError) -> ImportError:
-    """Return the error for a module that draws when its drawing library is not installed."""
-    package = (error.name or "a drawing library").partition(".")[0]
-    return ImportError(
-        f"{module} needs {package}, which is not installed: pip install 'rotorstab[app]'",
-        name=package,
-    )
 
 
 def numbers(

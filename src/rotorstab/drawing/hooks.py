@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .._arguments import extra_is_missing
+from .extra import extra_is_missing
 
 try:
     from bokeh.models import CustomJSHover, CustomJSTickFormatter, HoverTool

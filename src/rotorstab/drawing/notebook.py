@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from .._arguments import extra_is_missing
+from .extra import extra_is_missing
 
 try:
     import holoviews as hv

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import Any
 
-from .._arguments import choice, extra_is_missing
+from .._arguments import choice
+from .extra import extra_is_missing
 
 try:
     import holoviews as hv

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from .._arguments import extra_is_missing
+from .extra import extra_is_missing
 
 try:
     import holoviews as hv

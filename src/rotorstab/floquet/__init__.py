@@ -2,6 +2,6 @@
 
 Read `schemes`, `kicks` and `integrator`; `multipliers`, `criterion` (what counts as unstable) and
 `point`; `averaging`, `resonance` and `first_order`. Motion is in `initial_conditions`,
-`sampled_period`, `response` and `shaft_shape`. `interpolant` makes whole charts quick, and
-`tongues` finds what lies between their pixels.
+`sampled_period` and `response`. `interpolant` makes whole charts quick, and `tongues` finds what
+lies between their pixels.
 """

@@ -13,7 +13,7 @@ from .._types import AnyArray, Array, ArrayLike, Complex
 from .harmonics import exact_harmonics, pole_harmonics
 from .stiffness import exact_stiffness, largest_exact_load, refuse_peaks
 
-__all__ = ["System", "fundamental_frequency", "single_speed"]
+__all__ = ["System", "frequencies_at_rest", "fundamental_frequency", "single_speed"]
 
 _MATRICES = (
     "mass",
@@ -266,5 +266,20 @@ def fundamental_frequency(system: System) -> float:
     >>> round(fundamental_frequency(lumped(ShaftDisk(), 0.0)), 7)
     0.6466913
     """
+    return float(frequencies_at_rest(system)[0])
+
+
+def frequencies_at_rest(system: System) -> Array:
+    """Return the natural frequencies of the undamped rotor at Ω̄ = 0 and p̄ = 0.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    (n,) float
+        In rising order [√(EI/(ρAL⁴))]: the square roots of the eigenvalues of M⁻¹Ka.
+    """
     squares = np.linalg.eigvals(np.linalg.solve(system.mass, system.elastic))
-    return float(np.sqrt(squares.real.min()))
+    return np.asarray(np.sqrt(np.sort(squares.real)))

@@ -1,4 +1,4 @@
-"""What several figures take and name in the same way: panels, line styles, kinds of load."""
+"""What several figures take and name in the same way: panels, styles, kinds of load, ω_n."""
 
 from __future__ import annotations
 
@@ -9,9 +9,19 @@ from typing import TypeVar
 
 from ..charts.figure import Value
 from ..charts.roles import STYLES, Style
+from ..model.lumped import lumped
+from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 
-__all__ = ["FACTORS", "LOAD_KINDS", "SPINS", "lettered", "parameters", "styled"]
+__all__ = [
+    "FACTORS",
+    "LOAD_KINDS",
+    "SPINS",
+    "lettered",
+    "parameters",
+    "resting_frequency",
+    "styled",
+]
 
 T = TypeVar("T")
 K = TypeVar("K", bound=str)
@@ -30,6 +40,11 @@ LOAD_KINDS: tuple[tuple[str, Style, float], ...] = (
 def parameters(rotor: ShaftDisk, **others: Value) -> dict[str, Value]:
     """Return a rotor's fields and other plain values as one mapping."""
     return {**asdict(rotor), **others}
+
+
+def resting_frequency(rotor: ShaftDisk) -> float:
+    """Return ω_n of the lumped rotor [√(EI/(ρAL⁴))], by which the figures divide frequencies."""
+    return fundamental_frequency(lumped(rotor, 0.0))
 
 
 def _paired(name: str, keys: Sequence[K], values: Sequence[T]) -> list[tuple[K, T]]:

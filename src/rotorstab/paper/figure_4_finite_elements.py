@@ -13,10 +13,10 @@ from ..charts.figure import Figure, Statement
 from ..charts.structure import Chart
 from ..model.finite_element import finite_element, first_modes
 from ..model.lumped import lumped
-from ..model.system import fundamental_frequency
+from ..model.system import frequencies_at_rest
 from ..rotors.shaft_disk import TABLE_1_SI, ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .arguments import lettered, parameters
+from .arguments import lettered, parameters, resting_frequency
 from .floquet_numbers import PRINCIPAL, Variants, place, read_shading, tongues, width
 from .region_figure import RegionPanel, Variant, region_figure
 from .verdicts import boundaries, groups, judge, percent, right_of, say, titles, uphold
@@ -56,7 +56,7 @@ def figure_4(
     """
     rotor, scales = ShaftDisk.from_si(**TABLE_1_SI)
     reference = float(critical_load(rotor.shear))
-    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    frequency = resting_frequency(rotor)
     drawn = []
     for letter, rpm in lettered("speeds_rpm", speeds_rpm):
         spin = rpm * 2 * math.pi / 60 / scales.frequency
@@ -112,11 +112,9 @@ def _read_text(panels: Panels, rotor: ShaftDisk) -> tuple[Statement, ...]:
     shifted = all(
         right_of(*(boundaries(panel, group) for group in groups(panel))) for panel in panels
     )
-    second_frequency = [
-        np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(system.mass, system.elastic)).real)[1])
-        for system in (lumped(rotor, 0.0), finite_element(rotor, 0.0))
-    ]
-    excess = float(second_frequency[0] / second_frequency[1] - 1)
+    systems = lumped(rotor, 0.0), finite_element(rotor, 0.0)
+    lumped_second, second_of_elements = (frequencies_at_rest(system)[1] for system in systems)
+    excess = float(lumped_second / second_of_elements - 1)
     return (
         Statement(
             "The agreement of the first regions is good.",

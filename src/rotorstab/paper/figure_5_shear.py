@@ -11,10 +11,9 @@ from ..charts.figure import Figure, Statement
 from ..charts.roles import Style
 from ..charts.structure import Chart
 from ..model.lumped import lumped
-from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .arguments import SPINS, lettered, parameters
+from .arguments import SPINS, lettered, parameters, resting_frequency
 from .floquet_numbers import (
     PRINCIPAL,
     Variants,
@@ -65,7 +64,7 @@ def figure_5(
         of a spinning rotor would lie nearer to the β_d axis, against the text.
     """
     reference = float(critical_load(rotor.shear))
-    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    frequency = resting_frequency(rotor)
     twin = replace(rotor, shear=0.0)
     shafts: tuple[tuple[str, Style, ShaftDisk], ...] = (
         (_TIMOSHENKO, "solid", rotor),
@@ -113,7 +112,7 @@ def _own_start(rotor: ShaftDisk, static_factor: float, spin_speed: float) -> flo
     """Return θ/ω_n at which the left Euler–Bernoulli boundary starts with its own p̄_cr."""
     twin = lumped(replace(rotor, shear=0.0), spin_speed)
     start = boundary_frequencies(twin, static_factor * critical_load(0.0), 0.0)[0]
-    return float(start / fundamental_frequency(lumped(rotor, 0.0)))
+    return float(start / resting_frequency(rotor))
 
 
 def _middle_widths(panels: Panels, group: str) -> list[float]:

@@ -11,7 +11,7 @@ from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .arguments import LOAD_KINDS, SPINS, lettered, parameters
+from .arguments import LOAD_KINDS, SPINS, lettered, parameters, resting_frequency
 from .floquet_numbers import Variants, area, place, read_shading, strongest, tongues
 from .region_figure import RegionPanel, Variant, region_figure
 from .verdicts import boundaries, groups, judge, percent, right_of, uphold
@@ -47,7 +47,7 @@ def figure_9(
     Figure
     """
     reference = float(critical_load(rotor.shear))
-    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    frequency = resting_frequency(rotor)
     drawn = []
     for letter, spin in lettered("spin_speeds", spin_speeds):
         variants = [

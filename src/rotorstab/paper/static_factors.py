@@ -6,10 +6,9 @@ from collections.abc import Sequence
 
 from ..charts.figure import Figure
 from ..model.lumped import lumped
-from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import ShaftDisk
 from ..whirl.critical_loads import critical_load
-from .arguments import lettered, parameters, styled
+from .arguments import lettered, parameters, resting_frequency, styled
 from .floquet_numbers import Variants
 from .region_figure import RegionPanel, Variant, region_figure
 
@@ -27,7 +26,7 @@ def static_factor_figure(
 ) -> tuple[Figure, Variants]:
     """Return Fig. 6 or 7 without its reading, and the variants of every panel."""
     reference = float(critical_load(rotor.shear))
-    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    frequency = resting_frequency(rotor)
     drawn = []
     for letter, spin in lettered("spin_speeds", spin_speeds):
         system = lumped(rotor, spin, tangency)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..model.finite_element import finite_element
-from ..model.lumped import lumped
 from ..model.system import fundamental_frequency
 from ..rotors.shaft_disk import TABLE_1_SI, ShaftDisk
 from ..whirl.critical_loads import critical_load
+from .arguments import resting_frequency
 
 __all__ = ["Row", "Table", "table_1"]
 
@@ -80,7 +80,7 @@ def table_1() -> Table:
         Row(name, symbol, unit, TABLE_1_SI[key], TABLE_1_SI[key], True)
         for name, symbol, unit, key in _GIVEN
     )
-    frequency = fundamental_frequency(lumped(rotor, 0.0)) * scales.frequency
+    frequency = resting_frequency(rotor) * scales.frequency
     comparator = fundamental_frequency(finite_element(rotor, 0.0)) * scales.frequency
     buckling = float(critical_load(rotor.shear)) * scales.load
     share = scales.mass / (scales.mass + TABLE_1_SI["disk_mass"])

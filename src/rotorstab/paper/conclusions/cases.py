@@ -8,9 +8,9 @@ from ...charts.figure import Figure
 from ...floquet.resonance import resonances
 from ...floquet.tongues.edges import tongue_edges
 from ...model.lumped import lumped
-from ...model.system import fundamental_frequency
 from ...rotors.shaft_disk import BASE_CASE, ShaftDisk
 from ...whirl.critical_loads import critical_load
+from ..arguments import resting_frequency
 from ..floquet_numbers import area
 from ..region_figure import RegionPanel, Variant, region_chart
 from ..verdicts import boundaries
@@ -36,24 +36,20 @@ def base_variant(
     return Variant("rotor", "solid", system, factor, reference)
 
 
-def _frequency() -> float:
-    return fundamental_frequency(lumped(BASE_CASE, 0.0))
-
-
 @cache
 def exact_width(spin: float, tangency: float, factor: float, name: str, load: float) -> float:
     """Return the exact width in θ/ω_n of a tongue at one β_d."""
     variant = base_variant(spin, tangency, factor)
     loads = [load * variant.reference_load]
     edges = tongue_edges(variant.system, variant.mean_load, loads, (name,))
-    return float((edges.right - edges.left)[0, 0] / _frequency())
+    return float((edges.right - edges.left)[0, 0] / resting_frequency(BASE_CASE))
 
 
 @cache
 def unstable_share(spin: float, tangency: float, highest: float = 8.0) -> float:
     """Return the unstable share of θ/ω_n to `highest` and β_d to 1, at α_s = 0.5."""
     panel = RegionPanel("a", "", [base_variant(spin, tangency)])
-    return area(region_chart(panel, _frequency(), 1.0, True, highest), "rotor")
+    return area(region_chart(panel, resting_frequency(BASE_CASE), 1.0, True, highest), "rotor")
 
 
 def first_widths(figure: Figure, group: str, index: int) -> list[float]:

@@ -10,10 +10,10 @@ from ...bolotin.boundaries import boundary_frequencies
 from ...floquet.resonance import resonances
 from ...model.finite_element import finite_element
 from ...model.lumped import lumped
-from ...model.system import fundamental_frequency
 from ...rotors.shaft_disk import BASE_CASE
 from ...whirl.critical_loads import critical_load, flutter_load
 from ...whirl.frequencies import whirl_frequencies
+from ..arguments import resting_frequency
 from .structure import Published, item
 from .table_1 import table_1_whirl
 
@@ -32,14 +32,14 @@ def _boundary(spin: float, static: float, pulsating: float, root: int) -> float:
     boundaries: Array = boundary_frequencies(
         lumped(BASE_CASE, spin), static * buckling, pulsating * buckling
     )
-    return float(boundaries[root] / fundamental_frequency(lumped(BASE_CASE, 0.0)))
+    return float(boundaries[root] / resting_frequency(BASE_CASE))
 
 
 def _tongue(spin: float, tangency: float, name: str, which: int) -> float:
     """Return a tongue's centre over ω_n, or its peak growth per β_d, at α_s = 0.5."""
     buckling = float(critical_load(BASE_CASE.shear))
     row = resonances(lumped(BASE_CASE, spin, tangency), 0.5 * buckling, buckling)[name]
-    scale = fundamental_frequency(lumped(BASE_CASE, 0.0))
+    scale = resting_frequency(BASE_CASE)
     return (row.centre / scale, row.growth_per_load * buckling)[which]
 
 

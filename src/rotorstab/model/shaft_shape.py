@@ -9,8 +9,8 @@ import numpy as np
 
 from .._arguments import number, numbers, whole_number
 from .._types import AnyArray, Array, ArrayLike
-from ..model.stiffness import exact_stiffness
 from ..rotors.shaft_disk import ShaftDisk
+from .stiffness import exact_stiffness
 
 __all__ = ["ShaftShape", "shaft_shape"]
 
