@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from rotorstab.__main__ import main
-from rotorstab.cli import commands
+from rotorstab.cli import paper_commands
 from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS, TABLE_FORMATS, PictureFormat
 from rotorstab.model.lumped import STIFFNESS_LAWS
 from rotorstab.paper import CONCLUSIONS, FIGURES
@@ -103,7 +103,7 @@ def test_figure_with_floquet(tmp_path, capsys):
 
 
 def test_all_figures_with_floquet(tmp_path, monkeypatch):
-    monkeypatch.setattr(commands, "FIGURES", {number: FIGURES[number] for number in (2, 8)})
+    monkeypatch.setattr(paper_commands, "FIGURES", {number: FIGURES[number] for number in (2, 8)})
     directory = tmp_path / "all"
     assert main(["figure", "--all", str(directory), "--formats", "json", "--floquet"]) == 0
     for number in (2, 8):
@@ -129,25 +129,38 @@ def test_whirl_of_an_own_rotor(tmp_path, capsys):
     assert len(capsys.readouterr().out.splitlines()) == 9
 
 
-@pytest.mark.parametrize("model", ["lumped", "exact", "finite-element"])
-def test_regions_of_an_own_rotor(model, tmp_path, capsys):
+@pytest.mark.parametrize(
+    ("chosen", "model", "law"),
+    [
+        ([], "lumped", "linear"),
+        (["--model", "lumped", "--stiffness", "exact"], "lumped", "exact"),
+        (["--stiffness", "linear"], "lumped", "linear"),
+        (["--model", "exact"], "lumped", "exact"),  # as it was written before `--stiffness`
+        (["--model", "finite-element"], "finite-element", None),
+        (["--model", "finite-element", "--stiffness", "linear"], "finite-element", None),
+    ],
+)
+def test_regions_of_an_own_rotor(chosen, model, law, tmp_path, capsys):
     path = tmp_path / "r.json"
     arguments = ["regions", "--spin-speed", "1", "--static-factor", "0,0.5", "--modes", "4"]
-    arguments += ["--model", model]
+    arguments += chosen
     assert main(arguments) == 0
     assert "theta/omega_n" in capsys.readouterr().out
     assert main([*arguments, "--output", str(path)]) == 0
     loaded = json.loads(path.read_text())
     assert loaded["parameters"]["model"] == model
+    assert loaded["parameters"].get("stiffness") == law
     assert len(loaded["panels"][0]["lines"]) == 8
 
 
 def test_a_stiffness_law_that_is_added_is_what_the_command_computes(monkeypatch, capsys):
-    arguments = ["whirl", "--load", "1", "--model"]
+    arguments = ["whirl", "--load", "1", "--stiffness"]
     assert main([*arguments, "exact"]) == 0
     exact = capsys.readouterr().out
-    assert main([*arguments, "lumped"]) == 0
+    assert main([*arguments, "linear"]) == 0
     assert capsys.readouterr().out != exact
+    assert main([*arguments[:-1], "--model", "exact"]) == 0
+    assert capsys.readouterr().out == exact
     monkeypatch.setitem(STIFFNESS_LAWS, "another", STIFFNESS_LAWS["exact"])
     assert main([*arguments, "another"]) == 0
     assert capsys.readouterr().out == exact
@@ -176,10 +189,10 @@ def test_regions_can_be_drawn(tmp_path):
         (["whirl", "--load", "0:1:99999999"], "2 to 10000 values"),
         *(
             (
-                ["whirl", "--model", model, f"--{name}", value],
+                ["whirl", *model, f"--{name}", value],
                 f"must be in [-1e+09, 1e+09], got {value}",
             )
-            for model in ("lumped", "exact", "finite-element")
+            for model in ([], ["--stiffness", "exact"], ["--model", "finite-element"])
             for name in ("spin-speed", "load")
             for value in ("1e+300", "2e+09")
         ),
@@ -188,7 +201,12 @@ def test_regions_can_be_drawn(tmp_path):
         (["whirl", "--load", "inf"], "`load` must be in [-1e+09, 1e+09], got inf"),
         (["whirl", "--spin-speed", "0:1:1000", "--load", "0:1:1000"], "got 1e+06"),
         (["whirl", "--model", "cubic"], "invalid choice: 'cubic' (choose from"),
-        (["whirl", "--model", "exact", "--load", "50"], "pole of the exact stiffness"),
+        (["whirl", "--stiffness", "cubic"], "invalid choice: 'cubic' (choose from"),
+        (["whirl", "--stiffness", "exact", "--load", "50"], "pole of the exact stiffness"),
+        (
+            ["whirl", "--model", "finite-element", "--stiffness", "exact"],
+            "`--stiffness exact` is for the lumped model; finite elements have the linear law",
+        ),
         (["whirl", "--model", "finite-element", "--modes", "99"], "`modes` must be in [2, 40]"),
         (["whirl", "--disk-mass", "0"], "`disk_mass` must be in (0, inf), got 0"),
         (["regions", "--static-factor", "0,1,2,3"], "must have 1 to 3 values, got 4"),
@@ -234,7 +252,7 @@ def test_the_module_runs_and_survives_a_closed_pipe():
 
 def test_solving_does_not_import_a_drawing_library():
     code = (
-        "import sys; from rotorstab.cli import commands; "
+        "import sys; from rotorstab.cli import paper_commands; "
         "from rotorstab.__main__ import main; main(['figure', '6']); "
         "sys.exit(any(m.split('.')[0] in ('holoviews', 'matplotlib', 'bokeh') "
         "for m in sys.modules))"

@@ -1,4 +1,7 @@
-"""The command line: `parser` reads the arguments, `commands` does what they ask."""
+"""The command line: `parser` reads the arguments, the two modules of commands do what they ask.
+
+`values` reads lists and ranges, `output` prints and writes.
+"""
 
 from .parser import main
 

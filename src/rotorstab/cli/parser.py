@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import re
 import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
@@ -16,21 +15,14 @@ from importlib.metadata import PackageNotFoundError, entry_points, version
 from typing import Any, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..drawing.formats import FORMATS, TABLE_FORMATS
 from ..model.lumped import STIFFNESS_LAWS
 from ..paper import FIGURES
 from ..rotors.shaft_disk import ShaftDisk
-from .commands import (
-    MOST_VALUES,
-    run_conclusions,
-    run_figure,
-    run_regions,
-    run_table,
-    run_validation,
-    run_whirl,
-)
+from .own_rotor_commands import FINITE_ELEMENT, LUMPED, run_regions, run_whirl
+from .paper_commands import run_conclusions, run_figure, run_table, run_validation
+from .values import Sweep, joined_options
 
 __all__ = ["main"]
 
@@ -61,59 +53,6 @@ def _version() -> str:
         return "of no installed version"
 
 
-class _Sweep(argparse.Action):
-    """Several values of one argument, with a warning where a comma may mean a decimal point."""
-
-    def __call__(
-        self,
-        parser: argparse.ArgumentParser,
-        namespace: argparse.Namespace,
-        values: Any,
-        option: str | None = None,
-    ) -> None:
-        """Store the values of a text."""
-        try:
-            setattr(namespace, self.dest, _values(values))
-        except ValueError as error:
-            parser.error(f"argument {option}: {error}")
-        if found := re.fullmatch(r"(-?\d+),(\d+)", values):
-            one, other = found.groups()
-            line = (
-                f"{parser.prog}: {option} {values} is read as 2 values, {one} and {other}; "
-                f"a decimal number has a point: {one}.{other}"
-            )
-            print(line, file=sys.stderr)
-
-
-def _joined(argv: Sequence[str]) -> list[str]:
-    """Join an option and a value such as -0.5:0.5:3, which would be read as an option itself."""
-    joined: list[str] = []
-    for word in argv:
-        negative = re.match(r"[-−](\d|\.|inf|nan)", word)
-        if negative and joined and re.fullmatch(r"--[a-z-]+", joined[-1]):
-            joined[-1] += f"={word.replace('−', '-')}"
-        else:
-            joined.append(word)
-    return joined
-
-
-def _values(text: str) -> NDArray[np.float64]:
-    """Read "1.5", "0,1,2" or "0:2:41" (from, to, how many)."""
-    try:
-        if ":" not in text:
-            return np.array([float(part) for part in text.split(",")])
-        start, stop, count = text.split(":")
-        points = int(count)
-        if not 2 <= points <= MOST_VALUES:
-            raise ValueError
-        return np.linspace(float(start), float(stop), points)
-    except ValueError:
-        raise ValueError(
-            f"{text[:60]!r} is not a number, a list such as 0,1,2 or a range such as 0:2:41 "
-            f"(from, to, 2 to {MOST_VALUES} values)"
-        ) from None
-
-
 def _add_output(parser: argparse.ArgumentParser, formats: Iterable[str]) -> None:
     endings = " ".join(f".{name}" for name in formats)
     parser.add_argument("--output", metavar="FILE", help=f"write a file: {endings}")
@@ -135,9 +74,19 @@ def _add_rotor(parser: argparse.ArgumentParser) -> None:
         "--tangency", type=float, default=0.0, help="0 axial to 1 follower, default %(default)s"
     )
     model = parser.add_argument_group("model")
-    laws = (law for law in STIFFNESS_LAWS if law != "linear")  # "lumped" has the linear law
-    models = ("lumped", *laws, "finite-element")
-    model.add_argument("--model", choices=models, default="lumped")
+    models = (LUMPED, FINITE_ELEMENT)
+    model.add_argument(
+        "--model",
+        choices=(*models, "exact"),  # "exact" is the old spelling of `--stiffness exact`
+        metavar=f"{{{','.join(models)}}}",
+        default=LUMPED,
+        help="default %(default)s",
+    )
+    model.add_argument(
+        "--stiffness",
+        choices=tuple(STIFFNESS_LAWS),
+        help="law of the lumped shaft's stiffness over the load, default linear",
+    )
     model.add_argument("--elements", type=int, default=20)
     model.add_argument("--modes", type=int, help="reduce the finite elements, default all")
     for name in ("external", "internal"):
@@ -180,7 +129,7 @@ def _parser() -> argparse.ArgumentParser:
         "a number, a list 0,1,2 or a range 0:2:41 (from, to, how many); a comma separates values, "
         "a decimal number has a point; default 0"
     )
-    several: dict[str, Any] = {"action": _Sweep, "default": np.zeros(1)}
+    several: dict[str, Any] = {"action": Sweep, "default": np.zeros(1)}
     whirl = commands.add_parser("whirl", help="whirl frequencies of your own rotor")
     whirl.add_argument("--spin-speed", **several, help=sweep)
     whirl.add_argument("--load", **several, help=sweep)
@@ -248,7 +197,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _run(argv: Sequence[str]) -> int:
     """Run a command; an OSError without the name of a file comes from stdout and is not caught."""
     try:
-        arguments = _parser().parse_args(_joined(argv))
+        arguments = _parser().parse_args(joined_options(argv))
         # a number past double precision ends here, not in a table of NaN and a warning
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             arguments.run(arguments)

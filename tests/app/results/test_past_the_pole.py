@@ -136,7 +136,7 @@ def test_a_link_to_a_reference_past_the_pole_says_why():
 
 
 def test_regions_of_the_command_line_past_the_pole_are_one_clear_line(capsys):
-    assert main(["regions", "--model", "exact", "--largest-factor", "20"]) != 0
+    assert main(["regions", "--stiffness", "exact", "--largest-factor", "20"]) != 0
     words = capsys.readouterr().err
     assert re.search(
         r"must be below 9\.52\d*, where the exact stiffness has its pole, got 20", words
