@@ -58,7 +58,7 @@ def _axes(
     return {
         "instability": (
             _Scaled(excitation.quantity, frequency * excitation.factor),
-            _Scaled(Quantity("pulsating load", "P_t", force.quantity.unit), load * force.factor),
+            _Scaled(Quantity("pulsating load", "Pₜ", force.quantity.unit), load * force.factor),
         ),
         "load-frequency": (force, known[WHIRL]),
         "campbell": (known[SPIN], known[WHIRL]),

@@ -11,7 +11,10 @@ from ..charts import Chart
 
 __all__ = ["finish_panel", "mathtext"]
 
-_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙₜ", "0123456789nt")
+_INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[dnst])\b)?"  # as Unicode, or after an underscore
+_BARRED = re.compile("(.)\u0304" + _INDEX)
+_PLAIN = re.compile(r"([αβζμωP])(?=[ₙₜ_])" + _INDEX)
 _TONGUE = "tongue"  # label of the layer whose names stand out from the areas below them
 
 
@@ -42,12 +45,16 @@ _PLACES: Mapping[str, _Place] = {
 def mathtext(text: str) -> str:
     """Return the text with barred, indexed and Greek symbols as Matplotlib mathtext."""
     text = text.replace("$", r"\$")  # a pin's name may have any sign
-    text = re.sub(
-        "(.)\u0304([₀-₉]*)",
-        lambda m: rf"$\bar{{{m[1]}}}" + (f"_{{{m[2].translate(_SUBSCRIPTS)}}}$" if m[2] else "$"),
-        text,
-    )
-    return re.sub(r"([αβμ])_([sd])", r"$\1_\2$", text).replace("ωₙ", "$ω_n$")
+    text = _PLAIN.sub(lambda m: _symbol(m[1], m[2], m[3]), text)
+    return _BARRED.sub(lambda m: _symbol(rf"\bar{{{m[1]}}}", m[2], m[3]), text)
+
+
+def _symbol(letter: str, index: str, word: str | None) -> str:
+    """Return a letter with its index as mathtext; a letter without index stays text."""
+    index = index.translate(_SUBSCRIPTS) + (word or "")
+    if not index and not letter.startswith("\\"):
+        return letter
+    return f"${letter}_{{{index}}}$" if index else f"${letter}$"
 
 
 def finish_panel(axes: Any, panel: Chart) -> None:
