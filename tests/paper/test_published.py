@@ -10,7 +10,7 @@ from rotorstab.paper.published import PUBLISHED
 from tests.testing import paper
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "validation.md"
-NUMBER = re.compile(r"-?\d+\.?\d*(?:e-?\d+)?")
+NUMBER = re.compile(r"[-−]?\d+\.?\d*(?:e-?\d+)?")
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +41,8 @@ def test_the_validation_document_is_not_stale(document):
     for old, new in zip(NUMBER.findall(written), NUMBER.findall(document), strict=True):
         digits = len(old.partition("e")[0].partition(".")[2])
         step = 10.0**-digits if digits else 0.0
-        assert abs(float(old) - float(new)) <= 2.0001 * step, advice
+        first, second = (float(number.replace("−", "-")) for number in (old, new))
+        assert abs(first - second) <= 2.0001 * step, advice
 
 
 def test_nothing_published_is_missed(document):

@@ -44,7 +44,7 @@ def multiplier_chart(multipliers: Complex) -> Chart:
     reach = _nice(max(1.3, 1.12 * float(np.abs(shown).max(initial=0.0))))
     lines = Lines()
     lines.add(np.cos(_CIRCLE), np.sin(_CIRCLE), "unit circle, |μ| = 1", "unit circle")
-    rows = [(μ.real, μ.imag, f"μ = {μ:.4f}, |μ| = {abs(μ):.6f}") for μ in shown]
+    rows = [(μ.real, μ.imag, f"μ = {μ:.4f}, |μ| = {abs(μ):.6f}".replace("-", "−")) for μ in shown]
     grows = np.abs(shown) > 1 + OUTSIDE_UNIT_CIRCLE
     out = [row for row, outside in zip(rows, grows, strict=True) if outside]
     within = [row for row, outside in zip(rows, grows, strict=True) if not outside]

@@ -91,7 +91,7 @@ class Amount:
 
     def __str__(self) -> str:
         """Return the non-dimensional text."""
-        text = f"{self.value:.{self.digits}g}"
+        text = f"{self.value:.{self.digits}g}".replace("-", "−")
         return text if self.bare else f"{self.quantity.symbol}{self.index} = {text}"
 
 

@@ -24,7 +24,9 @@ ENTRIES = (
 """Row, column, symbol and unit of each stiffness influence coefficient."""
 
 LEVELS = (0.01, 0.05)
+_NAME_HEIGHT = 0.1  # of the error chart: room that a name takes above or below its point
 _LARGEST_ERROR = 0.5  # most that the error chart shows
+_FOOT = 0.13  # of the largest error: room for a name under a curve near 0
 _LOAD_TOLERANCE = 1e-12  # relative, of the loads at which an error reaches a level
 
 
@@ -151,7 +153,8 @@ def _error_chart(axis: Array, errors: Array, x_range: tuple[float, float]) -> Ch
         error = errors[:, entry[0], entry[1]]
         lines.add(axis, error, f"error of {name}", role)
         last = int(np.flatnonzero(error <= top_error * 0.94)[-1])
-        rows.append((float(axis[last]), float(error[last]), name, side))
+        place = _beside_levels(float(error[last]), side, _NAME_HEIGHT * (1 + _FOOT) * top_error)
+        rows.append((float(axis[last]), place, name, side))
     for level in LEVELS:
         lines.add(np.array(x_range), np.array([level, level]), f"{level:.0%} of k̄(0)", "level")
     return Chart(
@@ -160,9 +163,16 @@ def _error_chart(axis: Array, errors: Array, x_range: tuple[float, float]) -> Ch
         x=LOAD,
         y=Quantity("", "error over k̄(0)"),
         x_range=x_range,
-        y_range=(-0.13 * top_error, top_error),  # room for a name under a curve near 0
+        y_range=(-_FOOT * top_error, top_error),
         layers=(
             Layer("lines", "errors", lines.columns),
             Layer("labels", "names", label_columns(rows)),
         ),
     )
+
+
+def _beside_levels(error: float, side: str, height: float) -> float:
+    """Return where a name at an error begins, so that no line of a level crosses it."""
+    if side.startswith("lower"):
+        return next((level for level in LEVELS if error - height < level <= error), error)
+    return next((level for level in LEVELS if error <= level < error + height), error)

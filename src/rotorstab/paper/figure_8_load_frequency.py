@@ -18,7 +18,7 @@ from .arguments import LOAD_KINDS, lettered, parameters
 from .floquet_numbers import PRINCIPAL, growth, root, tongues
 from .load_frequency_panel import LoadedRotor, whirl_chart
 from .region_figure import Variant
-from .verdicts import by_panel, judge, listed, say, uphold
+from .verdicts import by_panel, fixed, judge, listed, say, uphold
 
 __all__ = ["figure_8"]
 
@@ -165,8 +165,9 @@ def _read_spinning(panel: Chart, rotor: ShaftDisk, buckling: float) -> tuple[Sta
         ),
         Statement(
             f"{panel.title}: with the follower load 1F increases and 1B decreases.",
-            f"From p̄ = 0 to p̄_cr 1B goes from {backward.y[0]:.4f} to {backward_end:.4f}, 1F from "
-            f"{forward.y[0]:.4f} to {forward_end:.4f}.",
+            f"From p̄ = 0 to p̄_cr 1B goes from {fixed(backward.y[0], 4)} to "
+            f"{fixed(backward_end, 4)}, 1F from {fixed(forward.y[0], 4)} to "
+            f"{fixed(forward_end, 4)}.",
             judge(
                 _trend(forward, buckling) > 0,
                 _trend(backward, buckling, size=False) < 0,

@@ -11,6 +11,7 @@ from functools import cache
 from .._tolerances import DECIMAL_ROUNDING
 from . import CONCLUSIONS, FIGURES, FLOQUET_CONCLUSIONS, FLOQUET_FIGURES, Statement
 from .published import PUBLISHED, Published
+from .verdicts import fixed
 
 __all__ = ["validation_markdown"]
 
@@ -37,9 +38,9 @@ def _row(entry: Published) -> str:
     cells = (
         entry.quantity,
         entry.unit,
-        f"{entry.value:.{entry.decimals}f}",
-        f"{ours:.{entry.decimals + 1}f}",
-        f"{difference:.{entry.decimals + 1}f}",
+        fixed(entry.value, entry.decimals),
+        fixed(ours, entry.decimals + 1),
+        fixed(difference, entry.decimals + 1),
         f"{entry.allowed:g}",
         met,
         entry.source + (f"; {entry.note}" if entry.note else ""),

@@ -14,6 +14,7 @@ from ..charts.structure import Chart
 __all__ = [
     "boundaries",
     "by_panel",
+    "fixed",
     "groups",
     "judge",
     "listed",
@@ -48,15 +49,20 @@ def matches(value: float, printed: str) -> bool:
     return abs(value - float(printed)) <= unit * (1 + DECIMAL_ROUNDING)
 
 
+def fixed(value: float, decimals: int) -> str:
+    """Write a number with so many decimals and a true minus sign."""
+    return f"{value:.{decimals}f}".replace("-", "−")
+
+
 def listed(values: Iterable[float], decimals: int = 3) -> str:
     """Write numbers one after the other."""
-    return ", ".join(f"{value:.{decimals}f}" for value in values)
+    return ", ".join(fixed(value, decimals) for value in values)
 
 
 def by_panel(panels: Sequence[Chart], rows: Sequence[Sequence[float]]) -> str:
     """Write the numbers of every panel, joined by arrows."""
     return "; ".join(
-        f"{panel.title}: {' → '.join(f'{x:.3f}' for x in row)}"
+        f"{panel.title}: {' → '.join(fixed(x, 3) for x in row)}"
         for panel, row in zip(panels, rows, strict=True)
     )
 
@@ -94,4 +100,4 @@ def groups(panel: Chart) -> list[str]:
 
 def percent(value: float) -> str:
     """Write a fraction as a percentage."""
-    return f"{100 * value:.1f} %"
+    return f"{fixed(100 * value, 1)} %"
