@@ -11,12 +11,14 @@ from types import MappingProxyType
 import panel as pn
 from markupsafe import Markup, escape
 
+from rotorstab import STIFFNESS_LAWS
 from rotorstab.charts import ROLES, Role
 from rotorstab.drawing.formats import FORMATS
 
 from .background.threads import turn
 from .pages import PAGES
 from .pages.lessons import cards
+from .results.curves import curves_name
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
@@ -32,7 +34,9 @@ SCRIPTS = (
     "lessons.js",
 )
 # which of these are drawn depends on the load type and the stiffness law
-LOADS = ("axial", "follower", "partly", "axial exact", "follower exact", "partly exact")
+LOADS = tuple(
+    curves_name(load, law) for law in STIFFNESS_LAWS for load in ("axial", "follower", "partly")
+)
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
     "load_frequency": (*LOADS, "growing", "limit", "current"),

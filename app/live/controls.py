@@ -19,6 +19,8 @@ from bokeh.document import Document
 from bokeh.events import Event
 from panel.io.state import set_curdoc
 
+from rotorstab import STIFFNESS_LAWS
+
 from ..background.telemetry import observe
 from ..background.threads import turn
 from ..state import PRESETS, SI_INPUTS, SYMBOLS, State
@@ -58,8 +60,7 @@ WORDS = {
     "follower": "Follower",
     "buckling": "Buckling load",
     "flutter": "Flutter at rest",
-    "linear": "Linear",
-    "exact": "Exact",
+    **{name: name.capitalize() for name in STIFFNESS_LAWS},
     "both": "Both",
     "lumped": "Lumped",
     "finite elements": "Finite elements",

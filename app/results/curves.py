@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from rotorstab import (
+    STIFFNESS_LAWS,
     ShaftDisk,
     System,
     WhirlCurves,
@@ -31,6 +32,7 @@ __all__ = [
     "LOADS",
     "SPEEDS",
     "campbell",
+    "curves_name",
     "flutter",
     "load_curves",
     "load_kinds",
@@ -98,14 +100,15 @@ def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, fl
     shares = {"axial": 0.0, "follower": 1.0}
     if tangency not in shares.values():
         shares["partly"] = tangency
-    laws = {"linear": ("linear",), "exact": ("exact",), "both": ("linear", "exact")}[stiffness]
+    laws = tuple(STIFFNESS_LAWS) if stiffness == "both" else (stiffness,)
     if kind != "lumped":
         laws = ("linear",)  # the distributed shaft has no other
-    return [
-        (name if law == "linear" else f"{name} {law}", share, law)
-        for law in laws
-        for name, share in shares.items()
-    ]
+    return [(curves_name(name, law), share, law) for law in laws for name, share in shares.items()]
+
+
+def curves_name(load: str, law: str) -> str:
+    """Return the name of a set of load–frequency curves, which is also its key in `ROLES`."""
+    return load if law == "linear" else f"{load} {law}"
 
 
 @shared_cache(128)

@@ -15,7 +15,6 @@ from rotorstab import (
     whirl_frequencies,
 )
 from rotorstab.charts import Chart, multiplier_chart, orbit_chart, response_chart
-from rotorstab.floquet.kicks import harmonic_count
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 
 from . import limits
@@ -135,10 +134,9 @@ def solve_point(point: Point) -> PointAnswer:
 
 def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:
     """Return how many steps of a period the server's one thread has time for."""
-    if system.is_linear:
+    if system.law is None:
         return limits.MOST_STEPS[model.kind]
-    static, pulsating = (np.array([load]) for load in loads)
-    harmonics = harmonic_count(system, (static, pulsating))
+    harmonics = system.law.harmonic_count(*np.array(loads))
     return int(limits.EXACT_STEPS / (1 + harmonics / limits.EXACT_HARMONICS))
 
 

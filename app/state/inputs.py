@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import param
 
-from rotorstab import BASE_CASE, TABLE_1_SI
+from rotorstab import BASE_CASE, STIFFNESS_LAWS, TABLE_1_SI
 from rotorstab.rotors.materials import MATERIALS
 
 __all__ = ["SI_INPUTS", "SYMBOLS", "Inputs"]
@@ -145,7 +145,7 @@ class Inputs(param.Parameterized):
     )
     stiffness = param.Selector(
         default="linear",
-        objects=["linear", "exact", "both"],
+        objects=[*STIFFNESS_LAWS, "both"],
         label="Stiffness in the load–frequency chart",
         doc="The paper's linear coefficients, the exact coefficients of its Appendix A, or both.",
     )
@@ -168,7 +168,7 @@ class Inputs(param.Parameterized):
     )
     law = param.Selector(
         default="linear",
-        objects=["linear", "exact"],
+        objects=list(STIFFNESS_LAWS),
         label="Stiffness law",
         doc="How the stiffness of the lumped shaft depends on the load: linearly, as in the paper, "
         "or exactly.",

@@ -18,6 +18,7 @@ from .model.finite_element import finite_element
 from .model.lumped import lumped
 from .model.shaft_shape import ShaftShape, shaft_shape
 from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, linear_stiffness
+from .model.stiffness_law import STIFFNESS_LAWS, StiffnessLaw
 from .model.system import System, fundamental_frequency
 from .rotors.materials import MATERIALS, Material
 from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
@@ -31,6 +32,7 @@ __all__ = [
     "BASE_CASE",
     "EULER_BERNOULLI_TWIN",
     "MATERIALS",
+    "STIFFNESS_LAWS",
     "TABLE_1_SI",
     "BolotinChart",
     "CriticalPulsation",
@@ -47,6 +49,7 @@ __all__ = [
     "ShaftShape",
     "StabilityChart",
     "StabilityMargin",
+    "StiffnessLaw",
     "System",
     "TimeResponse",
     "TongueEdges",

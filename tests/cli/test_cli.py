@@ -15,7 +15,7 @@ import pytest
 from rotorstab.__main__ import main
 from rotorstab.cli import paper_commands
 from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS, TABLE_FORMATS, PictureFormat
-from rotorstab.model.lumped import STIFFNESS_LAWS
+from rotorstab.model.stiffness_law import STIFFNESS_LAWS
 from rotorstab.paper import CONCLUSIONS, FIGURES
 
 

@@ -46,7 +46,7 @@ def boundary_frequencies(
     Raises
     ------
     ValueError
-        If a load is not finite, or past the pole of the exact stiffness.
+        If a load is not finite, or past the pole of the stiffness.
 
     Notes
     -----

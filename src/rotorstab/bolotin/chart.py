@@ -69,7 +69,7 @@ def bolotin_chart(
     ------
     ValueError
         If an argument is out of range, the system has several spin speeds, or the load passes the
-        pole of the exact stiffness.
+        pole of the stiffness.
 
     References
     ----------

@@ -44,7 +44,7 @@ def hill_boundary_frequencies(
     Raises
     ------
     ValueError
-        If an argument is out of range, or a load is past the pole of the exact stiffness.
+        If an argument is out of range, or a load is past the pole of the stiffness.
 
     Notes
     -----

@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from ..drawing.formats import FORMATS, TABLE_FORMATS
-from ..model.lumped import STIFFNESS_LAWS
+from ..model.stiffness_law import STIFFNESS_LAWS
 from ..paper import FIGURES
 from ..rotors.shaft_disk import ShaftDisk
 from .own_rotor_commands import FINITE_ELEMENT, LUMPED, run_regions, run_whirl

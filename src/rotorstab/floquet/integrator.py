@@ -15,7 +15,7 @@ from .._numerics.extrapolation import extrapolation_weights
 from .._types import AnyArray, Array, Complex
 from ..model.modal import ModalBasis
 from ..model.system import System
-from .kicks import Kicks, Loads, exact_kicks, linear_kicks
+from .kicks import Kicks, Loads, law_kicks, linear_kicks
 from .schemes import Scheme
 
 __all__ = [
@@ -177,8 +177,8 @@ def segment_propagators(
     size = 2 * system.size
     grid = np.broadcast_shapes(loads[0].shape, loads[1].shape, span.shape)
     step = span / (steps * segments)
-    maker = linear_kicks if system.is_linear else exact_kicks
-    kicks = maker(system, basis, loads, step, scheme.gradient)
+    arguments = system, basis, loads, step, scheme.gradient
+    kicks = linear_kicks(*arguments) if system.law is None else law_kicks(system.law, *arguments)
 
     # axes: row, column, segment, grid; a list of bases runs along the grid's last axis
     frequencies = np.moveaxis(np.atleast_2d(basis.frequencies), 0, -1)

@@ -1,4 +1,4 @@
-"""The kicks of the pulsating load in modal coordinates, for the linear and the exact stiffness.
+"""The kicks of the pulsating load in modal coordinates, for the linear and for other laws.
 
 In these coordinates a kick is left · diag or block(factors) · right: `right` maps modal coordinates
 to forces, the factors vary with time and load, and `left` maps forces back.
@@ -6,7 +6,6 @@ to forces, the factors vary with time and load, and `left` maps forces back.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
@@ -14,12 +13,11 @@ from typing import NamedTuple
 import numpy as np
 
 from .._types import AnyArray, Array, Complex
-from ..model.harmonics import DIGITS, exact_harmonics, harmonic_rate, pole_term
 from ..model.modal import ModalBasis
-from ..model.stiffness import refuse_peaks
+from ..model.stiffness_law import StiffnessLaw
 from ..model.system import System
 
-__all__ = ["Kicks", "Loads", "exact_kicks", "harmonic_count", "linear_kicks"]
+__all__ = ["Kicks", "Loads", "law_kicks", "linear_kicks"]
 
 _MOST_HARMONICS = 400  # with more of them K(p̄) itself is no slower than its cosine series
 _WORST_CONDITION = 1e3  # of the eigenvectors of M⁻¹Kb that may be used
@@ -39,7 +37,7 @@ class Kicks(NamedTuple):
         Maps modal coordinates to forces.
     factors : callable
         Takes phases φ of the load, (stages, segments, ...); returns the factors
-        (stages, f, segments, *grid) that multiply each force, or for the exact stiffness the
+        (stages, f, segments, *grid) that multiply each force, or with a `StiffnessLaw` the
         matrices (stages, n, n, segments, *grid) that multiply all of them.
     """
 
@@ -86,25 +84,28 @@ def linear_kicks(
     return Kicks(left, right, factors)
 
 
-def exact_kicks(
-    system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
+def law_kicks(
+    law: StiffnessLaw,
+    system: System,
+    basis: ModalBasis,
+    loads: Loads,
+    step: Array,
+    gradient: float,
 ) -> Kicks:
-    """Return the kicks, whole matrices ΔK, for the exact K(p̄)."""
-    shear = system.exact_shear
-    assert shear is not None
-    refuse_peaks(*loads, shear)
+    """Return the kicks, whole matrices ΔK, for the K(p̄) of a law that is not linear."""
+    law.refuse_peaks(*loads)
     inverse = np.linalg.inv(system.mass)
-    reference = system.load_stiffness(basis.load)
-    count = harmonic_count(system, loads)
+    reference = law.stiffness(basis.load)
+    count = law.harmonic_count(*loads)
 
     def direct(phase: Array) -> Array:
         """Return M⁻¹ΔK (stages, n, n, segments, *grid) from K(p̄) itself."""
         load = loads[0] + loads[1] * np.cos(phase)
-        change = inverse @ (system.load_stiffness(load) - reference)
+        change = inverse @ (law.stiffness(load) - reference)
         return np.moveaxis(change, (-2, -1), (1, 2))
 
     series = count <= _MOST_HARMONICS
-    change_at = _series(system, loads, inverse, reference, count) if series else direct
+    change_at = _series(law, loads, inverse, reference, count) if series else direct
 
     def factors(phase: Array) -> Complex:
         change = change_at(phase)
@@ -119,17 +120,16 @@ def exact_kicks(
 
 
 def _series(
-    system: System, loads: Loads, inverse: AnyArray, reference: Array, count: int
+    law: StiffnessLaw, loads: Loads, inverse: AnyArray, reference: Array, count: int
 ) -> Callable[[Array], Array]:
     """Return the function of phases that gives M⁻¹ΔK (stages, n, n, segments, *grid).
 
     It sums a cosine series, for K itself is slow to compute. The part that is infinite at the pole
     has no short series, and is added in closed form.
     """
-    n, shear = system.size, system.exact_shear
-    assert shear is not None
+    n = len(inverse)
     static, pulsating = np.broadcast_arrays(*loads)
-    harmonics = exact_harmonics(static, pulsating, shear, system.tangency, count)
+    harmonics = law.smooth_harmonics(static, pulsating, count)
     harmonics[0] -= reference
     harmonics = np.moveaxis(inverse @ harmonics, (-2, -1), (1, 2)).reshape(count + 1, -1)
 
@@ -138,14 +138,8 @@ def _series(
         lead = phase.shape[: phase.ndim - loads[1].ndim]
         change = np.cos(phase.reshape(-1, 1) * np.arange(count + 1)) @ harmonics
         change = np.moveaxis(change.reshape(*lead, n, n, *load.shape[len(lead) :]), 1, 3)
-        pole = pole_term(load, shear)[:, None]
+        pole = law.pole_term(load)[:, None]
         change[:, :, 1] += inverse[:, 1].reshape(-1, *[1] * (load.ndim - 1)) * pole
         return change
 
     return change_at
-
-
-def harmonic_count(system: System, loads: Loads) -> int:
-    """Return how many harmonics of K(p̄(t)) are above rounding, `pole_term` apart."""
-    assert system.exact_shear is not None
-    return max(4, math.ceil(DIGITS / harmonic_rate(*loads, system.exact_shear)))

@@ -75,7 +75,7 @@ def floquet_solution(
     ------
     ValueError
         If an argument is not finite or out of range, or if the peak load p̄₀ + |p̄_t| reaches the
-        pole of the exact stiffness.
+        pole of the stiffness.
 
     Notes
     -----
@@ -155,7 +155,7 @@ def floquet_multipliers(
     ------
     ValueError
         If an argument is not finite or out of range, or if the peak load p̄₀ + |p̄_t| reaches the
-        pole of the exact stiffness.
+        pole of the stiffness.
 
     Examples
     --------
@@ -196,7 +196,7 @@ def growth_rate(
     ------
     ValueError
         If an argument is not finite or out of range, or if the peak load p̄₀ + |p̄_t| reaches the
-        pole of the exact stiffness.
+        pole of the stiffness.
 
     Examples
     --------

@@ -179,7 +179,7 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     ------
     ValueError
         If the system has no single spin speed, an argument is not one finite number in range, or
-        the peak load reaches the pole of the exact stiffness.
+        the peak load reaches the pole of the stiffness.
 
     Notes
     -----

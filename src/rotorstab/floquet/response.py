@@ -131,7 +131,7 @@ def time_response(
     Raises
     ------
     ValueError
-        If an argument is out of range, the load reaches the pole of the exact stiffness, one
+        If an argument is out of range, the load reaches the pole of the stiffness, one
         period takes more than `most_steps` steps, or the motion overflows within one period.
 
     Notes

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from .._arguments import LARGEST, choice, number, numbers
@@ -11,15 +9,10 @@ from .._types import ArrayLike
 from ..rotors.shaft_disk import ShaftDisk
 from .damping import with_damping_ratios
 from .stiffness import linear_stiffness
+from .stiffness_law import STIFFNESS_LAWS
 from .system import System
 
-__all__ = ["STIFFNESS_LAWS", "lumped"]
-
-STIFFNESS_LAWS: dict[str, Callable[[ShaftDisk], float | None]] = {
-    "linear": lambda rotor: None,  # Eq. (9)
-    "exact": lambda rotor: rotor.shear,  # Appendix A
-}
-"""Every stiffness law of the lumped rotor by its name, with the `exact_shear` of its `System`."""
+__all__ = ["lumped"]
 
 
 def lumped(
@@ -85,6 +78,6 @@ def lumped(
         geometric=geometric,
         spin_speed=numbers("spin_speed", spin_speed, -LARGEST, LARGEST),
         tangency=tangency,
-        exact_shear=law(rotor),
+        law=law(rotor.shear, tangency),
     )
     return with_damping_ratios(system, external_damping, internal_damping)

@@ -18,7 +18,6 @@ __all__ = [
     "exact_stiffness",
     "largest_exact_load",
     "linear_stiffness",
-    "refuse_peaks",
     "refuse_poles",
     "second_exact_pole",
 ]
@@ -83,7 +82,7 @@ def exact_stiffness(load: ArrayLike, shear: ArrayLike, tangency: ArrayLike = 0.0
     load = numbers("load", load)
     shear = numbers("shear", shear, 0.0, 1.0, open_high=True)
     tangency = numbers("tangency", tangency, 0.0, 1.0)
-    refuse_poles(load, shear)
+    refuse_poles(load, largest_exact_load(shear))
     s, c, g, d = _entire_functions(np.asarray(load / (1 - shear * load)))
     e = d + 2 * shear * c
     k12 = -c / e
@@ -179,24 +178,20 @@ def second_exact_pole(shear: float) -> float:
 
 
 class PastPole(ValueError):
-    """A load is at or past the pole of the exact stiffness, see `largest_exact_load`."""
+    """A load is at or past the pole of the stiffness law, such as `largest_exact_load`."""
 
 
-def refuse_poles(load: ArrayLike, shear: ArrayLike, name: str = "`load`") -> None:
-    """Raise PastPole if a load is at or past the pole of the exact stiffness."""
-    bad, limit = np.broadcast_arrays(load, largest_exact_load(shear))
+def refuse_poles(
+    load: ArrayLike, pole: ArrayLike, name: str = "`load`", law: str = "exact"
+) -> None:
+    """Raise PastPole if a load is at or past the pole of a stiffness law."""
+    bad, limit = np.broadcast_arrays(load, pole)
     past = bad >= limit
     if past.any():
         raise PastPole(
-            f"{name} must be below the pole of the exact stiffness, {limit[past].flat[0]:g} "
+            f"{name} must be below the pole of the {law} stiffness, {limit[past].flat[0]:g} "
             f"at this shear, got {bad[past].flat[0]:g}"
         )
-
-
-def refuse_peaks(static: ArrayLike, pulsating: ArrayLike, shear: float) -> None:
-    """Raise PastPole if the largest load of a pulsation is at or past the pole."""
-    peak = np.add(static, np.abs(pulsating))
-    refuse_poles(peak, shear, "`static_load` + |`pulsating_load`|")
 
 
 def _entire_functions(x: Array) -> tuple[Array, Array, Array, Array]:

@@ -10,8 +10,7 @@ import numpy as np
 from .._arguments import LARGEST, numbers
 from .._tolerances import MAP_SHORT_OF_POLE
 from .._types import AnyArray, Array, ArrayLike, Complex
-from .harmonics import exact_harmonics, pole_harmonics
-from .stiffness import exact_stiffness, largest_exact_load, refuse_peaks
+from .stiffness_law import StiffnessLaw
 
 __all__ = ["System", "frequencies_at_rest", "fundamental_frequency", "single_speed"]
 
@@ -30,7 +29,7 @@ class System:
     """Matrices of a rotor in complex coordinates U = V + jW, Ψ = Γ − jB, non-dimensional.
 
     M q̈ + D q̇ + K(p̄) q = 0 with D = −jΩ̄ H + C_e + C_i and K(p̄) = Ka + p̄ Kb − jΩ̄ C_i
-    (or the exact K of the lumped shaft in place of Ka + p̄ Kb). Its arrays are read-only copies.
+    (or K of another stiffness law in place of Ka + p̄ Kb). Its arrays are read-only copies.
 
     Parameters
     ----------
@@ -46,8 +45,8 @@ class System:
         Ω̄ [√(EI/(ρAL⁴))]. An array gives one system per speed, which broadcasts against loads.
     tangency : float
         μ [-], from 0 (axial load) to 1 (follower load); Kb already contains it.
-    exact_shear : float or None
-        Φ [-] if K(p̄) is the exact stiffness of the lumped shaft, None for the linear law.
+    law : StiffnessLaw or None
+        K(p̄) of the lumped shaft, such as its exact stiffness; None for the linear law.
 
     References
     ----------
@@ -62,7 +61,7 @@ class System:
     geometric: Array
     spin_speed: Array
     tangency: float = 0.0
-    exact_shear: float | None = None
+    law: StiffnessLaw | None = None
 
     def __post_init__(self) -> None:
         """Make every array read-only."""
@@ -86,14 +85,17 @@ class System:
     @property
     def is_linear(self) -> bool:
         """Whether the stiffness is linear in the load."""
-        return self.exact_shear is None
+        return self.law is None
+
+    @property
+    def pole(self) -> float:
+        """Load [EI/L²] at which the stiffness is infinite, inf if it is nowhere."""
+        return math.inf if self.law is None else self.law.pole
 
     @property
     def largest_load(self) -> float:
-        """Load [EI/L²] where charts end: 0.1 % below the pole of the exact stiffness, else inf."""
-        if self.exact_shear is None:
-            return math.inf
-        return float(largest_exact_load(self.exact_shear)) * (1 - MAP_SHORT_OF_POLE)
+        """Load [EI/L²] where charts end: 0.1 % below the pole of the stiffness, else inf."""
+        return self.pole * (1 - MAP_SHORT_OF_POLE)
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
         """Return the same rotor at another spin speed.
@@ -130,10 +132,11 @@ class System:
         Raises
         ------
         ValueError
-            If the system has the exact stiffness, which is known in its own coordinates only.
+            If the system has another stiffness law, which is known in its own coordinates only.
         """
-        if not self.is_linear:
-            raise ValueError("`system` must have the linear stiffness law, got the exact one")
+        if self.law is not None:
+            law = self.law.name
+            raise ValueError(f"`system` must have the linear stiffness law, got the {law} one")
         matrices = {name: basis.T @ getattr(self, name) @ basis for name in _MATRICES}
         return replace(self, **matrices)
 
@@ -160,11 +163,11 @@ class System:
         Raises
         ------
         ValueError
-            If a load is not finite, or past the pole of the exact stiffness.
+            If a load is not finite, or past the pole of the stiffness.
         """
         load = numbers("load", load, -LARGEST, LARGEST)
-        if self.exact_shear is not None:
-            return exact_stiffness(load, self.exact_shear, self.tangency)
+        if self.law is not None:
+            return self.law.stiffness(load)
         return self.elastic + load[..., None, None] * self.geometric
 
     def stiffness(self, load: ArrayLike) -> AnyArray:
@@ -182,7 +185,7 @@ class System:
         Raises
         ------
         ValueError
-            If the load is not finite, or past the pole of the exact stiffness.
+            If the load is not finite, or past the pole of the stiffness.
         """
         stiffness = self.load_stiffness(load)
         if not self.internal_damping.any():
@@ -204,25 +207,21 @@ class System:
         Returns
         -------
         list of (..., n, n) float
-            Exact for the linear law (K₂ and higher are 0), to rounding for the exact law.
+            Exact for the linear law (K₂ and higher are 0), to rounding for another law.
 
         Raises
         ------
         ValueError
-            If a load is not finite, or the peak load is past the pole of the exact stiffness.
+            If a load is not finite, or the peak load is past the pole of the stiffness.
         """
         static, pulsating = np.broadcast_arrays(
             numbers("static_load", static_load), numbers("pulsating_load", pulsating_load)
         )
-        if self.exact_shear is None:
+        if self.law is None:
             zero = np.zeros((*static.shape, self.size, self.size))
             first = pulsating[..., None, None] * self.geometric
             return [self.load_stiffness(static), first, *[zero] * (count - 1)][: count + 1]
-        refuse_peaks(static, pulsating, self.exact_shear)
-        loads = static, pulsating, self.exact_shear
-        harmonics = exact_harmonics(*loads, self.tangency, count)
-        harmonics[..., 1, 1] += pole_harmonics(*loads, count)
-        return list(harmonics)
+        return list(self.law.harmonics(static, pulsating, count))
 
 
 def single_speed(system: System) -> float:

@@ -54,7 +54,7 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
     Raises
     ------
     ValueError
-        If the loads are not a list of finite numbers or are past the pole of the exact stiffness,
+        If the loads are not a list of finite numbers or are past the pole of the stiffness,
         or if the system has several spin speeds.
 
     Examples
@@ -95,7 +95,7 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
     ------
     ValueError
         If the speeds are not a list of finite numbers, or the load is not finite or past the pole
-        of the exact stiffness.
+        of the stiffness.
 
     Examples
     --------

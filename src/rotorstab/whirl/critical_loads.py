@@ -62,8 +62,7 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
     system : System
         Undamped, with one spin speed.
     largest_load : float, optional
-        End of the search [EI/L²]. By default it is the pole of the exact stiffness if the system
-        has the exact stiffness, else 4π².
+        End of the search [EI/L²]. By default it is the pole of the stiffness, at most 4π².
 
     Returns
     -------
@@ -92,7 +91,7 @@ def flutter_load(system: System, largest_load: float | None = None) -> float:
         raise ValueError("`system` must be undamped for a coalescence, got a damped one")
     single_speed(system)
     if largest_load is None:
-        pole = float(largest_exact_load(system.exact_shear or 0.0))
+        pole = min(system.pole, float(largest_exact_load(0.0)))
         largest_load = pole * (1 - FLUTTER_SEARCH_SHORT_OF_POLE)
     high = number("largest_load", largest_load, 0.0, open_low=True)
     low = 0.0

@@ -47,7 +47,7 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
     Raises
     ------
     ValueError
-        If the load is not finite, or past the pole of the exact stiffness.
+        If the load is not finite, or past the pole of the stiffness.
 
     Notes
     -----

@@ -33,7 +33,7 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     Raises
     ------
     ValueError
-        If the load is not finite, or past the pole of the exact stiffness.
+        If the load is not finite, or past the pole of the stiffness.
 
     References
     ----------

@@ -91,7 +91,7 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     ------
     ValueError
         If the system has several spin speeds, or the load is not finite or past the pole of the
-        exact stiffness.
+        stiffness.
 
     Examples
     --------

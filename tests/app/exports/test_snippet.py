@@ -11,7 +11,7 @@ from app.pages.marked_point import inspect
 from app.results.analysis import solve
 from app.state import PRESETS, State
 from app.words.si import displayed
-from rotorstab.model.lumped import STIFFNESS_LAWS
+from rotorstab.model.stiffness_law import STIFFNESS_LAWS
 
 MARKED = {"marker": True, "marker_frequency": 1.7, "marker_factor": 0.4, "periods": 5.0}
 TABLE_1 = PRESETS["Table 1, 1000 rpm"]

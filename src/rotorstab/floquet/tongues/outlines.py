@@ -14,7 +14,6 @@ import numpy as np
 from ..._arguments import number, whole_number
 from ..._tolerances import CURVES_SHORT_OF_POLE, SAME_FREQUENCY
 from ..._types import Array, Mask
-from ...model.stiffness import largest_exact_load
 from ...model.system import System
 from ...whirl.frequencies import whirl_frequencies
 from ..criterion import mean_is_unstable
@@ -103,8 +102,8 @@ def unstable_outlines(
     Notes
     -----
     At the loads of the rows the edges are roots, to 1e-6 of θ̄, of the distance of two multipliers,
-    with damping of the growth rate; between rows they are straight lines. With the exact stiffness
-    the rows end before its pole. Tongues that are narrower than the columns of a chart are found
+    with damping of the growth rate; between rows they are straight lines. The rows end
+    before a pole of the stiffness. Tongues that are narrower than the columns of a chart are found
     where two multipliers collide: none that grows faster than 1e-4 is missed at θ̄ above 0.4 ω_n
     (`python -m benchmarks tongues` counts this over random rotors); slower ones may be left out. A
     gap between two tongues is closed where it is narrower than 0.35 % of θ̄ (0.7 % in the lowest
@@ -124,11 +123,9 @@ def unstable_outlines(
     low = number("lowest_frequency", lowest_frequency, 0.0, open_low=True)
     high = number("highest_frequency", highest_frequency, low, open_low=True)
     count = whole_number("rows", rows, 8, 100_000)
-    if system.exact_shear is not None:
-        room = float(largest_exact_load(system.exact_shear)) - static
-        largest = min(largest, (1 - CURVES_SHORT_OF_POLE) * room)
-        if largest <= 0:
-            return ()
+    largest = min(largest, (1 - CURVES_SHORT_OF_POLE) * (system.pole - static))
+    if largest <= 0:
+        return ()
     loads = np.linspace(0.0, largest, count)
     found = unstable_intervals(system, static, loads[1:], low, high)
     step = float(loads[1])

@@ -8,7 +8,6 @@ import numpy as np
 
 from ..._tolerances import VISIBLE_GROWTH
 from ..._types import Array
-from ...model.stiffness import largest_exact_load
 from ...model.system import System
 from ..point import floquet_solution
 from ..resonance import ResonanceTable
@@ -49,9 +48,8 @@ class Plane:
 
     @property
     def limit(self) -> float:
-        """Pulsating load at which the exact stiffness has its pole, inf for the linear law."""
-        shear = self.system.exact_shear
-        return np.inf if shear is None else float(largest_exact_load(shear)) - self.static
+        """Pulsating load at which the stiffness has its pole, inf where it has none."""
+        return self.system.pole - self.static
 
     @property
     def needed(self) -> float:
