@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from contextlib import nullcontext
 from pathlib import Path
 from types import MappingProxyType
 
 import panel as pn
-from markupsafe import Markup, escape
+from markupsafe import Markup
 
 from rotorstab import STIFFNESS_LAWS
 from rotorstab.charts import ROLES, Role
@@ -27,6 +26,7 @@ STYLES = ("page.css", "inspector.css", "lessons.css")
 SCRIPTS = (
     "messages.js",
     "page.js",
+    "layout.js",
     "units.js",
     "paper.js",
     "inspector.js",
@@ -39,6 +39,7 @@ LOADS = tuple(
 )
 LEGENDS = {
     "instability": ("backward", "forward", "edge"),
+    "load_kinds": LOADS,
     "load_frequency": (*LOADS, "growing", "limit", "current"),
     "campbell": ("backward", "forward", "growing", "synchronous", "current"),
     "coefficients": ("exact", "linear"),
@@ -120,26 +121,14 @@ def layout() -> str:
 LAYOUT = layout()
 
 
-def with_subscripts(text: str) -> Markup:
-    """Return a text as HTML with subscripts, such as β_d, as `rich` in page.js sets it.
-
-    The first paint keeps room for these words: with other markup they might wrap differently.
-    """
-    parts = re.split(r"(?<!\w)([^\W\d_][\u0300-\u036f]?)_([^\W_]+)", text)
-    found = Markup(escape(parts[0]))
-    for symbol, index, rest in zip(parts[1::3], parts[2::3], parts[3::3], strict=True):
-        found += Markup('<span class="symbol">{}<sub>{}</sub></span>{}').format(symbol, index, rest)
-    return found
-
-
 def download(key: str) -> Markup:
     """Return the export menu of a live chart."""
     options = Markup("").join(
         Markup('<option value="{}">{}</option>').format(kind, kind.upper()) for kind in FORMATS
     )
     return Markup(
-        '<select class="export" data-chart="{}" aria-label="Export this chart">'
-        '<option value="">Export …</option>{}</select>'
+        '<select class="export" data-chart="{}" aria-label="Export this chart" title="Export">'
+        '<option value="">⤓</option>{}</select>'
     ).format(key, options)
 
 
@@ -169,8 +158,7 @@ def build() -> pn.Template:
     template.add_variable("legends", legends)
     template.add_variable("download", download)
     template.add_variable("formats", tuple(FORMATS))
-    first = session.first
-    template.add_variable("first", first | {"words": with_subscripts(first["words"])})
+    template.add_variable("looks", session.looks())
     return template
 
 

@@ -67,14 +67,11 @@ class Session:
             ),
             "python": lambda message: self.python(),
         }
-        self.first = self._first_paint(self.redraw())
+        self.redraw()
 
-    def _first_paint(self, content: Mapping[str, Any]) -> dict[str, Any]:
-        """Return what the page shows, and keeps room for, before the first answer comes."""
-        whirl = content["numbers"]["whirl"].values() if content else ()
-        is_complex = any(imaginary for _, imaginary in whirl)
-        looks = {name: getattr(self.state, name) for name in _LOOKS}
-        return {"words": content.get("verdict_room", ""), "looks": looks | {"complex": is_complex}}
+    def looks(self) -> dict[str, Any]:
+        """Return the inputs that decide how the page looks before its first answer."""
+        return {name: getattr(self.state, name) for name in _LOOKS}
 
     def roots(self) -> dict[str, Any]:
         """Return everything the template embeds."""

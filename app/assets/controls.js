@@ -14,7 +14,10 @@ export function render({ model, el }) {
       if (error || data.replaced || data.values[name] !== state.values[name]) row.say(error);
       row.show(data.values[name]);
     }
-    if (data.values) state.values = data.values;
+    if (data.values) {
+      state.values = data.values;
+      for (const [row, name, value] of conditional) row.hidden = data.values[name] !== value;
+    }
     if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) if (row.hint) row.hint(data.si?.hints[name] || "");
   }
   model.on("msg:custom", (answer) => page.messages.take(answer.data ?? answer));
@@ -34,13 +37,13 @@ export function render({ model, el }) {
     return node("b", {}, letter, ...(sub ? [node("sub", {}, sub)] : []), rest || "");
   }
 
+  // the symbol, or the name where there is none, is a button that explains the quantity
   function heading(field, id) {
-    const help = node("span", { class: "help", id: `${id}-help`, role: "tooltip" }, ...page.rich(field.doc));
-    const mark = node("button", { class: "why", type: "button", "aria-label": `What is ${field.label}?`, "aria-describedby": `${id}-help` }, "?");
-    return node("div", { class: "head" },
-      node("label", { for: id, id: `${id}-label` },
-        ...(field.symbol ? [symbol(field.symbol), " "] : []), field.label),
-      mark, help);
+    const help = node("span", { class: "help", id: `${id}-help`, role: "tooltip" }, node("b", {}, field.label), " ", ...page.rich(field.doc));
+    const mark = node("button", { class: "why", type: "button", "aria-label": `What is ${field.label}?`, "aria-describedby": `${id}-help` },
+      field.symbol ? symbol(field.symbol) : "?");
+    const label = node("label", { for: id, id: `${id}-label`, ...(field.symbol ? { class: "hidden" } : {}) }, field.label);
+    return [label, mark, help];
   }
 
   function text(value, step) {
@@ -107,7 +110,7 @@ export function render({ model, el }) {
     });
     const si = node("p", { class: "si-value" });
     rows[field.name] = { show, say, hint: (words) => { si.textContent = words && `= ${words}`; } };
-    return node("div", { class: "row" }, heading(field, id), node("div", { class: "pair" }, slider, box), si, error);
+    return node("div", { class: "row line" }, ...heading(field, id), slider, box, si, error);
   }
 
   function choice(field) {
@@ -124,7 +127,7 @@ export function render({ model, el }) {
       show: (value) => inputs.forEach((input) => { input.checked = input.value === value; }),
       say: (words) => { error.textContent = words ? `${field.label} ${words}` : ""; },
     };
-    return node("div", { class: "row" }, heading(field, id), group, error);
+    return node("div", { class: "row choices" }, ...heading(field, id), group, error);
   }
 
   function toggle(field) {
@@ -132,9 +135,7 @@ export function render({ model, el }) {
     const input = node("input", { type: "checkbox", id, "aria-describedby": `${id}-help` });
     input.addEventListener("change", () => change(field.name, input.checked));
     rows[field.name] = { show: (value) => { input.checked = value; }, say: () => {} };
-    const head = heading(field, id);
-    head.prepend(input);
-    return node("div", { class: "row switch" }, head);
+    return node("div", { class: "row switch" }, input, ...heading(field, id));
   }
 
   // a quantity in SI has a box without a slider, because its range spans orders of magnitude
@@ -163,13 +164,13 @@ export function render({ model, el }) {
       if (event.key === "Escape") { box.value = String(Number(state.values[field.name].toPrecision(9))); say(""); }
     });
     rows[field.name] = { show, say };
-    return node("div", { class: "row quantity" }, heading(field, id), node("div", { class: "pair" }, box, node("span", { class: "unit" }, field.unit)), error);
+    return node("div", { class: "row line quantity" }, ...heading(field, id), node("span", { class: "name" }, field.label), box, node("span", { class: "unit" }, field.unit), error);
   }
 
   // -- assembly ------------------------------------------------------------
   const form = node("form", { class: "controls", "aria-label": "Parameters" });
   form.addEventListener("submit", (event) => event.preventDefault());
-  const presets = node("select", { id: "rs-preset", class: "preset" }, node("option", { value: "" }, "Choose a preset …"),
+  const presets = node("select", { id: "rs-preset", class: "preset" }, node("option", { value: "" }, "Presets …"),
     ...model.presets.map((name) => node("option", { value: name }, name)));
   presets.addEventListener("change", () => {
     if (presets.value) page.send({ type: "preset", name: presets.value });
@@ -177,11 +178,17 @@ export function render({ model, el }) {
   });
   const reset = node("button", { type: "button", class: "plain" }, "Reset all");
   reset.addEventListener("click", () => page.send({ type: "reset" }));
-  form.append(node("div", { class: "row" }, node("div", { class: "head" }, node("label", { for: "rs-preset" }, "Presets")),
-    node("div", { class: "pair" }, presets, reset)));
+  form.append(node("div", { class: "row presets" }, node("label", { for: "rs-preset", class: "hidden" }, "Presets"), presets, reset));
+  const conditional = []; // rows that are shown only while another input has a value
   for (const group of spec) {
-    const set = node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title));
-    for (const field of group.fields) set.append(field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field));
+    const set = group.title
+      ? node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title))
+      : node("div", { class: "main" });
+    for (const field of group.fields) {
+      const row = field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field);
+      if (field.only_with) conditional.push([row, ...field.only_with]);
+      set.append(row);
+    }
     if (group.title === "Units") set.append(page.units.panel(node));
     form.append(set);
   }

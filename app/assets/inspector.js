@@ -65,8 +65,10 @@ window.rotorstab.inspector = (() => {
   }
 
   function showPins(pins) {
-    const card = one(".card.pins");
-    card.hidden = !pins;
+    const card = one(".pins");
+    const pinned = one("[data-pinned]");
+    if (pins && pinned.hidden) card.open = true;
+    pinned.hidden = !pins;
     const full = Boolean(pins && pins.full);
     const why = full ? "There are three pins already: remove one first." : "";
     Object.assign(one(".pin-add"), { disabled: full, title: why });
@@ -99,8 +101,8 @@ window.rotorstab.inspector = (() => {
       });
       return row;
     };
-    card.querySelector("thead").replaceChildren(line(["What differs", "Now", ...pins.names.map(({ name }) => name)], "th"));
-    card.querySelector("tbody").replaceChildren(...(pins.rows.length ? pins.rows.map((cells) => line(cells, "td")) : [line(["Nothing differs yet: move a slider."], "td")]));
+    one(".pin-table thead").replaceChildren(line(["What differs", "Now", ...pins.names.map(({ name }) => name)], "th"));
+    one(".pin-table tbody").replaceChildren(...(pins.rows.length ? pins.rows.map((cells) => line(cells, "td")) : [line(["Nothing differs yet: move a slider."], "td")]));
   }
 
   document.addEventListener("DOMContentLoaded", () => {
@@ -145,9 +147,13 @@ window.rotorstab.inspector = (() => {
       if (data.pins !== undefined) showPins(data.pins);
       if (data.inspector === undefined) return;
       const card = one(".card.inspector");
-      card.hidden = !data.inspector;
-      if (!data.inspector) { page.shaft.stop(); return; }
-      const words = one('[data-inspector="sentence"]');
+      card.classList.toggle("empty", !data.inspector);
+      const words = one("[data-point]");
+      if (!data.inspector) {
+        words.dataset.text = words.textContent = "Click the chart to mark a point.";
+        page.shaft.stop();
+        return;
+      }
       words.setAttribute("aria-live", data.settled ? "polite" : "off");
       if (words.dataset.text !== data.inspector.sentence) {
         words.dataset.text = data.inspector.sentence;

@@ -86,10 +86,12 @@
   page.rich = rich;
 
   // -- numbers ---------------------------------------------------------------
-  function number(value) {
+  function number(value, digits = 5) {
     if (value === null || value === undefined) return "none";
-    return grouped(value.toPrecision(5));
+    return grouped(value.toPrecision(digits));
   }
+  // beside a chart there is room for fewer digits than in the table
+  const digits = (place) => (place.tagName === "B" ? 3 : 5);
 
   // the same format as `written` of the server: no exponent below 1e9
   function grouped(text) {
@@ -139,24 +141,23 @@
   function showNumbersInSI({ numbers, load_unit }) {
     for (const place of document.querySelectorAll("[data-number]")) {
       const value = numbers[place.dataset.number];
-      place.textContent = number(value);
+      place.textContent = number(value, digits(place));
       if (value !== null) place.append(small(place.dataset.number === "fundamental" ? "\u00a0Hz" : `\u00a0${load_unit}`));
     }
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
-      place.replaceChildren(number(real), small("\u00a0Hz"));
+      place.replaceChildren(number(real, digits(place)), small("\u00a0Hz"));
       if (imaginary !== 0) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
     }
   }
 
   function showNumbers(numbers) {
-    for (const place of document.querySelectorAll("[data-number]")) place.textContent = number(numbers[place.dataset.number]);
+    for (const place of document.querySelectorAll("[data-number]")) place.textContent = number(numbers[place.dataset.number], digits(place));
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
-      place.textContent = number(real);
+      place.textContent = number(real, digits(place));
       if (imaginary !== 0) place.append(small(` ${word(imaginary)} ${number(Math.abs(imaginary))}`, "complex"));
     }
-    root.dataset.complex = String(Object.values(numbers.whirl).some(([, imaginary]) => imaginary !== 0));
     page.rigid = numbers.rigid;
   }
 
@@ -173,20 +174,14 @@
   page.steady = steady;
 
   // -- layers of the instability chart, which the legend switches ----
-  const LAYERS = { show_growth: "the map of growth", show_bolotin: "Bolotin regions", show_disagreement: "the shading of disagreement" };
+  const LAYERS = ["show_growth", "show_bolotin", "show_disagreement"];
   function showLayers(values) {
-    for (const name of Object.keys(LAYERS)) root.dataset[name] = String(values[name]);
+    for (const name of LAYERS) root.dataset[name] = String(values[name]);
     for (const entry of document.querySelectorAll("[data-layer]")) {
       const on = values[entry.dataset.layer];
       entry.classList.toggle("off", !on);
       entry.querySelector("button")?.setAttribute("aria-pressed", String(on));
     }
-    // the text above the chart still describes the hidden layers
-    const off = Object.keys(LAYERS).filter((name) => !values[name]).map((name) => LAYERS[name]);
-    const words = document.querySelector("[data-hidden-layers]");
-    words.hidden = !off.length;
-    const last = off.pop();
-    words.textContent = last ? `Hidden: ${off.length ? `${off.join(", ")} and ` : ""}${last}. The legend switches layers on and off.` : "";
   }
 
   // the legend shows only the load–frequency curves that are drawn
@@ -276,20 +271,41 @@
 
   page.address = address;
 
+  function fill(selector, words) {
+    const place = document.querySelector(selector);
+    if (place.dataset.text === words) return;
+    place.dataset.text = words;
+    place.replaceChildren(...rich(words));
+  }
+
+  // -- the table of tongues and the shares of the window, behind "Details" -------------
+  function cells(tag, texts) {
+    const row = document.createElement("tr");
+    row.append(...texts.map((text) => {
+      const cell = document.createElement(tag);
+      cell.append(...rich(text));
+      return cell;
+    }));
+    return row;
+  }
+
+  let detailed = "";
+  function showDetails(details) {
+    const key = JSON.stringify(details);
+    if (key === detailed) return;
+    detailed = key;
+    document.querySelector('[data-tongues="heads"]').replaceChildren(cells("th", details.columns));
+    const rows = details.rows.length ? details.rows : [["none"]];
+    document.querySelector('[data-tongues="rows"]').replaceChildren(...rows.map((texts) => cells("td", texts)));
+    fill('[data-details="words"]', details.words);
+    const shares = details.shares.length ? details.shares : [["They follow once the sliders rest.", ""]];
+    document.querySelector('[data-details="shares"]').replaceChildren(...page.facts(shares));
+  }
+
   page.answer = (data) => {
     if (data.numbers) showNumbers(data.numbers);
     if (data.si) showNumbersInSI(data.si);
-    if (data.verdict) {
-      const words = document.querySelector("[data-verdict]");
-      // screen readers announce it only at rest, not for every step of a slider
-      words.setAttribute("aria-live", data.settled ? "polite" : "off");
-      if (page.verdict !== data.verdict) {
-        words.replaceChildren(...rich(data.verdict));
-        document.querySelector("[data-verdict-room]").replaceChildren(...rich(data.verdict_room));
-        steady(words.parentElement);
-      }
-      page.verdict = data.verdict;
-    }
+    if (data.details) showDetails(data.details);
     if (data.errors_table) showErrors(data.errors_table);
     page.paper.answer(data);
     page.lessons.answer(data);
@@ -340,7 +356,7 @@
       const name = entry.dataset.layer;
       entry.querySelector("button")?.addEventListener("click", () => page.change(name, root.dataset[name] !== "true"));
     }
-    showLayers(Object.fromEntries(Object.keys(LAYERS).map((name) => [name, root.dataset[name] !== "false"])));
+    showLayers(Object.fromEntries(LAYERS.map((name) => [name, root.dataset[name] !== "false"])));
     showGrowthUnit(root.dataset);
     document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
     document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: location.origin + location.pathname }));

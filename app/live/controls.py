@@ -31,13 +31,23 @@ _LOG = logging.getLogger("rotorstab.app")
 _ASSETS = Path(__file__).parents[1] / "assets"
 
 GROUPS = (
-    ("Load", True, ("load_type", "tangency", "static_load_factor", "reference")),
-    ("Rotor", True, ("spin_speed", "shear", "disk_mass", "diametral_inertia", "polar_inertia")),
+    # the first group has no heading and is always in view
     (
-        "Beyond the paper",
-        False,
-        ("external_damping", "internal_damping", "law", "model"),
+        "",
+        True,
+        (
+            "load_type",
+            "tangency",
+            "static_load_factor",
+            "spin_speed",
+            "shear",
+            "disk_mass",
+            "diametral_inertia",
+            "polar_inertia",
+        ),
     ),
+    ("Damping", False, ("external_damping", "internal_damping")),
+    ("Model", False, ("reference", "law", "model")),
     (
         "Charts",
         False,
@@ -54,6 +64,8 @@ GROUPS = (
     ),
     ("Units", False, ("units", *SI_INPUTS)),
 )
+# an input that is shown only while another one has a value
+ONLY_WITH = {"tangency": ("load_type", "partly")}
 WORDS = {
     "axial": "Axial",
     "partly": "Partly",
@@ -84,6 +96,8 @@ def field(name: str) -> dict[str, Any]:
         "symbol": SYMBOLS.get(name, ""),
         "doc": parameter.doc,
     }
+    if name in ONLY_WITH:
+        found["only_with"] = list(ONLY_WITH[name])
     if isinstance(parameter, param.Boolean):
         return found | {"switch": True}
     if isinstance(parameter, param.Selector):

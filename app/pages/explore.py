@@ -12,6 +12,7 @@ from bokeh.models import CustomJS
 from rotorstab.charts import Chart
 
 from ..live.chart import LiveChart
+from ..live.low import make_low
 from ..results.analysis import CHARTS, Result, solve, window_of
 from ..results.curves import load_kinds
 from ..results.growth_maps import known_detail
@@ -20,9 +21,10 @@ from ..results.window import Window
 from ..state import SYMBOLS, State
 from ..state.address import MOST_PINS, PinnedInputs
 from ..state.rotor_file import read_rotor_file, write_rotor_file
+from ..words.details import details
 from ..words.refusals import user_message
 from ..words.si import displayed, shaft_words, shown_scales, si_answer
-from ..words.verdict import verdict, verdict_room
+from ..words.verdict import verdict
 from .base import FRAGMENTS, Page, Reply
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
 from .pins import Pin, differences, pin, solve_pin, with_pins
@@ -98,7 +100,11 @@ class Explore(Page):
         }
 
     def built(self, key: str, chart: LiveChart) -> None:
-        """Let a click on the instability chart place the marker."""
+        """Fit a chart into its place; a click on the instability chart places the marker."""
+        if key in CHARTS:
+            chart.figure.min_height = None  # the page gives each chart its height
+        if key in ("load-frequency", "campbell"):
+            make_low(chart.figure)
         if key == "instability":
             chart.figure.js_on_event(
                 "tap", CustomJS(code="window.rotorstab.inspector.tap(cb_obj.x, cb_obj.y)")
@@ -168,7 +174,7 @@ class Explore(Page):
                 shown_scales(state),
                 state.show_bolotin or state.show_disagreement,
             ),
-            "verdict_room": verdict_room(result.floquet, shown_scales(state)),
+            "details": details(result.floquet, shown_scales(state)),
             "settled": detail is Detail.REFINED,
             "curves": [
                 name

@@ -193,7 +193,7 @@ class Inputs(param.Parameterized):
         doc="Boundaries and hatching of Bolotin’s method, which the paper uses.",
     )
     show_disagreement = param.Boolean(
-        default=True,
+        default=False,
         label="Disagreement",
         doc="Shading where the two methods disagree.",
     )

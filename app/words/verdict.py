@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from rotorstab import Scales
 from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
@@ -12,17 +11,16 @@ from ..results.floquet_answer import TABLE_FACTOR, FloquetAnswer
 from ..results.limits import Detail
 from .units import Units
 
-__all__ = ["verdict", "verdict_room"]
+__all__ = ["blank_parts", "percent", "smallest_load", "verdict"]
 
 _MOST = 6  # regions named in one sentence
 _BELOW_THRESHOLD = 0.9  # part of the first-order threshold below which growth contradicts it
 _LARGER = 1.05  # ratio of two areas above which one is called larger
 _SLIVER = 0.02  # share of the window that may be blank without a word
 _MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
-_FEWEST = 1 / 28_800  # share of one pixel of the largest map
 
 
-def _percent(share: float, *, none: bool = True) -> str:
+def percent(share: float, *, none: bool = True) -> str:
     """Return a share in words; with `none` a share of 0 is nothing, otherwise it is too small."""
     if share == 0 and none:
         return "nothing"
@@ -53,7 +51,7 @@ def _regions(answer: FloquetAnswer, units: Units) -> str:
     )
 
 
-def _margin(answer: FloquetAnswer, units: Units) -> str:
+def smallest_load(answer: FloquetAnswer, units: Units) -> str:
     """Return the smallest pulsating load that destabilises, in words."""
     table = answer.table
     if table.mean_is_unstable:
@@ -89,20 +87,20 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
         if true == 1:
             return f" All of {place} is unstable, at any pulsation."
         return (
-            f" Of {place} {_percent(true)} is unstable; elsewhere the pulsation stabilises the "
+            f" Of {place} {percent(true)} is unstable; elsewhere the pulsation stabilises the "
             "rotor."
         )
-    text = f" Of {place} {_percent(true, none=not answer.has_tongues)} is unstable"
+    text = f" Of {place} {percent(true, none=not answer.has_tongues)} is unstable"
     if not bolotin_shown:
         return text + "."
-    text += f"; Bolotin regions cover {_percent(bolotin)}"
+    text += f"; Bolotin regions cover {percent(bolotin)}"
     if true > 0 and bolotin > _LARGER * true:
         ratio = bolotin / true
         text += f", an area {ratio:,.0f} times" if ratio >= 100 else f", an area {ratio:.3g} times"
         text += " as large"
     missed = true - both
     if missed > _MISSED * true > 0:
-        text += f"; {_percent(missed / true)} of what is unstable lies outside them"
+        text += f"; {percent(missed / true)} of what is unstable lies outside them"
     return text + "."
 
 
@@ -117,7 +115,7 @@ def _is_part(answer: FloquetAnswer) -> bool:
     return _is_slow(answer) or math.isfinite(answer.ends_at) or answer.unknown_share > _SLIVER
 
 
-def _blank(answer: FloquetAnswer) -> str:
+def blank_parts(answer: FloquetAnswer) -> str:
     """Say which part of the window is blank, where that is more than a sliver."""
     start = answer.followed_from
     words = ""
@@ -128,7 +126,7 @@ def _blank(answer: FloquetAnswer) -> str:
         )
     if answer.unknown_share > _SLIVER:
         words += (
-            f" {_percent(answer.unknown_share)} of the map is blank: within one period of the load "
+            f" {percent(answer.unknown_share)} of the map is blank: within one period of the load "
             "the whirl grows too much there for its rate to be known."
         )
     if not _is_slow(answer):
@@ -154,25 +152,12 @@ def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: 
     return _opening(answer, scales) + _comparison(answer, bolotin_shown) + _end(answer)
 
 
-def verdict_room(answer: FloquetAnswer, scales: Scales | None = None) -> str:
-    """Return words as long as the verdict of the full map may become, to keep its place free."""
-    longest = replace(
-        answer,
-        detail=Detail.REFINED,
-        unstable_share=_FEWEST,
-        bolotin_share=0.88,
-        both_share=0.9912 * _FEWEST,
-        unknown_share=1.0,
-    )
-    return _opening(answer, scales) + _comparison(longest, True) + _end(answer)
-
-
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
     units = Units(answer.fundamental_frequency, answer.reference_load, scales)
     if answer.table.mean_is_unstable:
-        return _margin(answer, units)  # no tongue stands out where everything grows
-    return f"{_regions(answer, units)} {_margin(answer, units)}"
+        return smallest_load(answer, units)  # no tongue stands out where everything grows
+    return f"{_regions(answer, units)} {smallest_load(answer, units)}"
 
 
 def _end(answer: FloquetAnswer) -> str:
-    return "" if answer.detail is Detail.COARSE else _blank(answer)
+    return "" if answer.detail is Detail.COARSE else blank_parts(answer)

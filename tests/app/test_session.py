@@ -45,7 +45,7 @@ MOVES = {
     "growth_unit": ("per period", {"instability"}),
     "show_growth": (False, set()),
     "show_bolotin": (False, set()),
-    "show_disagreement": (False, set()),
+    "show_disagreement": (True, set()),
     "units": ("SI", set(CHARTS)),
     # the shaft in SI counts once it is used, or as the scale of charts in SI
     "shaft_length": (0.8, set()),

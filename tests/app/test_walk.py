@@ -13,8 +13,11 @@ def test_click_inspect_pin_share_reopen_export(open_page):
     page.wait_for_function("rotorstab.last.values.marker === true")
     page.get_by_role("heading", name="Inside the point").wait_for(state="visible")
 
+    page.locator(".pins summary").click()
     page.get_by_role("button", name="Pin curves").click()
+    page.get_by_role("button", name="Compare the settings").click()
     page.get_by_role("heading", name="Pinned curves").wait_for(state="visible")
+    page.keyboard.press("Escape")
 
     page.evaluate("rotorstab.change('spin_speed', 1.25)")
     page.wait_for_function(

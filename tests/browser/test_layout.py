@@ -4,8 +4,18 @@ import pytest
 
 from app.pages import PAGES
 from app.results.analysis import CHARTS
+from app.state import State
 from tests.testing.dashboard import READY
-from tests.testing.page import FOCUS, agrees, drag, frame_of, open_groups, settle, visit
+from tests.testing.page import (
+    FOCUS,
+    agrees,
+    box_of,
+    drag,
+    frame_of,
+    open_groups,
+    settle,
+    visit,
+)
 
 pytestmark = pytest.mark.browser
 
@@ -21,7 +31,7 @@ new PerformanceObserver((list) => {
   }
 }).observe({ type: "layout-shift", buffered: true });
 const look = () => {
-  const words = document.querySelector("[data-verdict]")?.textContent;
+  const words = document.querySelector("[data-point]")?.textContent;
   if (words) said.add(words);
   for (const plot of document.querySelectorAll('[data-page="explore"] .plot')) {
     const key = plot.closest(".card").getAttribute("aria-labelledby");
@@ -33,6 +43,14 @@ const look = () => {
 };
 addEventListener("DOMContentLoaded", look, { once: true });
 """
+MAIN = (
+    "static_load_factor",
+    "spin_speed",
+    "shear",
+    "disk_mass",
+    "diametral_inertia",
+    "polar_inertia",
+)
 CHART_TITLES = ("instability-title", "load-title", "campbell-title")
 
 
@@ -82,7 +100,7 @@ def test_the_full_verdict_moves_no_chart(watched, width, query):
 
 @pytest.mark.parametrize("width", [1280, 390])
 def test_a_slider_at_rest_again_moves_no_chart(watched, width):
-    page = watched(width)
+    page = watched(width, "?v=1&at=1&f=1.68&b=0.5")
     page.evaluate("for (const key in tops) delete tops[key]; said.clear()")
     for value in (1.96, 1.92, 1.88):
         page.evaluate("(value) => rotorstab.change('spin_speed', value)", value)
@@ -94,42 +112,101 @@ def test_a_slider_at_rest_again_moves_no_chart(watched, width):
     assert all(len(found[key]) == 1 for key in CHART_TITLES), found
 
 
-def test_a_layer_is_switched_off_and_on_in_the_legend(page):
-    legend = page.locator("[aria-labelledby=instability-title] .legend")
-    hidden = page.locator("[data-hidden-layers]")
-    assert hidden.is_hidden()
-    for name, words, told in [
-        ("show_growth", "unstable (Floquet)", "the map of growth"),
-        ("show_bolotin", "Bolotin region", "Bolotin regions"),
-        ("show_disagreement", "stable, but in a Bolotin region", "the shading of disagreement"),
-    ]:
-        exact = words == "Bolotin region"
-        button = legend.get_by_role("button", name=words, exact=exact)
-        assert button.get_attribute("aria-pressed") == "true"
-        button.click()
-        settle(page, name, False)
-        assert button.is_visible()
-        assert button.get_attribute("aria-pressed") == "false"
-        struck = "one => getComputedStyle(one.closest('li')).textDecorationLine"
-        assert button.evaluate(struck) == "line-through"
-        assert hidden.inner_text() == f"Hidden: {told}. The legend switches layers on and off."
-        open_groups(page)
-        assert not page.locator(f"#rs-{name}").is_checked()
-        button.press("Enter")
-        settle(page, name, True)
-        assert button.evaluate(struck) == "none"
-        assert hidden.is_hidden()
+VIEWS = ("instability", "load-frequency", "campbell", "shaft")
+# each view and its charts with their axes, in the window: left, top, right, bottom
+PLACES = """() => {
+  const box = (one) => {
+    const { left, top, right, bottom } = one.getBoundingClientRect();
+    return [left, top, right, bottom];
+  };
+  const figures = {};
+  const walk = (view) => {
+    const shown = view.model.type === "Figure" && view.el.checkVisibility();
+    if (shown) figures[view.model.name] = box(view.el);
+    for (const child of view.children()) walk(child);
+  };
+  for (const view of Bokeh.index) walk(view);
+  const views = Object.fromEntries(
+    [...document.querySelectorAll("[data-view]")].map((one) => [one.dataset.view, box(one)]));
+  const { scrollWidth, scrollHeight } = document.documentElement;
+  return { views, figures, page: [scrollWidth, scrollHeight] };
+}"""
 
 
-def test_what_is_hidden_is_told_in_one_sentence(open_page):
-    page = open_page(path="/app?v=1&growth=0&bolotin=0&differ=0")
-    assert page.locator("[data-hidden-layers]").inner_text() == (
-        "Hidden: the map of growth, Bolotin regions and the shading of disagreement. "
-        "The legend switches layers on and off."
+def within(inner, outer):
+    return (
+        inner[0] >= outer[0] - 1
+        and inner[1] >= outer[1] - 1
+        and inner[2] <= outer[2] + 1
+        and inner[3] <= outer[3] + 1
     )
-    # the strokes of a hidden layer are muted with it
-    muted = page.locator("[aria-labelledby=instability-title] .legend li.off")
-    assert muted.count() == 7
+
+
+@pytest.mark.parametrize(("width", "height"), [(1366, 768), (1920, 1080)])
+def test_explore_fits_on_one_screen(open_page, width, height):
+    page = open_page(width, height, path="/app?v=1&at=1&f=1.68&b=0.5")
+    settle(page)
+    page.wait_for_timeout(500)  # layout of the charts
+    found = page.evaluate(PLACES)
+    window = [0, 0, width, height]
+    assert found["page"] == [width, height]  # nothing to scroll
+    assert set(found["views"]) == set(VIEWS)
+    for key, box in found["views"].items():
+        assert within(box, window), (key, box)
+    for key in CHARTS:  # each with its axes
+        assert within(found["figures"][key], found["views"][key]), (key, found)
+        left, top, across, down = frame_of(page, key)
+        assert within([left, top, left + across, top + down], found["figures"][key]), key
+    _, _, across, down = frame_of(page, "instability")
+    assert down > 0.36 * height
+    # the load type and the six sliders, each on one line, in the user's order
+    places = [page.locator("#rs-preset").bounding_box()]
+    places += [page.locator("[role=radiogroup]").first.bounding_box()]
+    places += [page.locator(f"#rs-{name}").bounding_box() for name in MAIN]
+    tops = [place["y"] for place in places]
+    assert tops == sorted(tops)
+    assert places[-1]["y"] + places[-1]["height"] < height
+    for name in MAIN:
+        slider, box = page.locator(f"#rs-{name}").bounding_box(), box_of(page, name).bounding_box()
+        assert abs(slider["y"] + slider["height"] / 2 - box["y"] - box["height"] / 2) < 2
+    assert page.evaluate("document.querySelector('#sidebar').scrollTop") == 0
+
+
+def test_a_layer_is_switched_off_and_on_beside_the_chart(page):
+    legend = page.locator("[data-view=instability] .layers")
+    defaults = State().inputs()
+    for name, words in [
+        ("show_bolotin", "Bolotin region"),
+        ("show_disagreement", "disagreement"),
+    ]:
+        button = legend.get_by_role("button", name=words)
+        assert button.get_attribute("aria-pressed") == str(defaults[name]).lower()
+        button.click()
+        settle(page, name, not defaults[name])
+        assert button.get_attribute("aria-pressed") == str(not defaults[name]).lower()
+        open_groups(page)
+        assert page.locator(f"#rs-{name}").is_checked() != defaults[name]
+        button.press("Enter")
+        settle(page, name, defaults[name])
+
+
+def test_growth_that_is_hidden_is_named_beside_the_chart(open_page):
+    """The scale of colours stands for the map, and is away with it."""
+    page = open_page(path="/app?v=1&growth=0")
+    button = page.locator("[data-view=instability] .layers").get_by_role("button", name="growth")
+    assert button.get_attribute("aria-pressed") == "false"
+    button.click()
+    settle(page, "show_growth", True)
+    button.wait_for(state="hidden")
+
+
+@pytest.mark.parametrize("key", ["paper", "lessons"])
+def test_pages_without_parameters_have_no_sidebar(page, key):
+    assert page.locator("#sidebar").is_visible()
+    visit(page, key)
+    assert not page.locator("#sidebar").is_visible()
+    visit(page, "stiffness")
+    assert page.locator("#sidebar").is_visible()
 
 
 def test_words_on_the_white_picture_can_be_read_in_the_dark(open_page):
@@ -150,6 +227,8 @@ def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     page = open_page(390, 900, path="/app?v=1&u=SI&p1=spin_1~~slow&p2=md_8~~heavy&p3=as_0.4~~c")
     # each pin of an address is solved in a turn of its own
     page.wait_for_function("document.querySelector('[data-pin-full]').textContent !== ''")
+    page.get_by_role("button", name="Parameters", exact=True).click()
+    page.get_by_role("button", name="Compare the settings").click()
     lines = page.evaluate(
         """() => [...document.querySelectorAll(".pin-table td")].map((cell) => {
           const range = document.createRange();
@@ -167,9 +246,9 @@ def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
 def test_a_chart_beside_a_lesson_keeps_its_tools(open_page):
     page = open_page(1440, 900, path="/app#lesson/04-gyroscope/3")
     page.wait_for_function("rotorstab.lessons.running")
-    tools = page.locator("[aria-labelledby=instability-title] .bk-Toolbar .bk-tool-icon")
+    tools = page.locator("[data-view=instability] .bk-Toolbar .bk-tool-icon")
     tools.nth(4).wait_for(state="visible")  # Playwright looks into shadow roots
-    assert page.locator("[aria-labelledby=instability-title] .bk-tool-overflow").count() == 0
+    assert page.locator("[data-view=instability] .bk-tool-overflow").count() == 0
 
 
 def test_no_page_scrolls_sideways(page):
@@ -184,7 +263,7 @@ def test_no_page_scrolls_sideways(page):
                     x, _, across, down = frame_of(page, key)
                     assert x >= 0
                     assert x + across <= width
-                    assert min(across, down) > 150
+                    assert min(across, down) > 100
     page.set_viewport_size({"width": 1280, "height": 900})
 
 

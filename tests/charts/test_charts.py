@@ -221,8 +221,9 @@ def test_the_legend_of_the_map_shows_the_colours_of_the_map():
     places = [0, len(palette) // 3, 2 * len(palette) // 3, -1]
     assert stops.split(", ") == [palette[place] for place in places]
     over, under = (f"{colour}66" for colour in screen.DISAGREEMENT_COLOURS)  # 0x66 is 40 %
-    assert f".swatch.over {{ background: {over}; }}" in css
-    assert f'[data-show_growth="false"] .swatch.under {{ background: {under}; }}' in css
+    assert (
+        f".swatch.over {{ background: linear-gradient(to right, {over} 50%, {under} 50%); }}" in css
+    )
 
 
 def test_ticks_of_a_large_orbit_are_few_and_short():

@@ -16,6 +16,9 @@ from .structure import Chart, Layer
 __all__ = ["campbell_chart", "load_frequency_chart"]
 
 
+_LEVEL = 0.14  # step between the labels of two limits, in heights of the chart
+
+
 def _span(curves: WhirlCurves) -> tuple[float, float]:
     """Return the least and the largest Re ω̄ of modes 1 and 2; finite elements have more."""
     shown = [mode.number <= 2 for mode in modes(curves.names)]
@@ -27,7 +30,13 @@ def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float
     row = curves.frequencies[index]
     low, high = _span(curves)
     return [
-        (float(curves.parameter[index]), float(value.real), name, side)
+        # names of forward whirl stand above their curves, of backward whirl below them
+        (
+            float(curves.parameter[index]),
+            float(value.real),
+            name,
+            f"{'upper' if name.endswith('F') else 'lower'} {side}",
+        )
         for value, name in zip(row, curves.names, strict=True)
         if low <= value.real <= high
     ]
@@ -44,7 +53,7 @@ def _limit_labels(
     return [
         (
             load,
-            bottom + 0.08 * level * (top - bottom),
+            bottom + _LEVEL * level * (top - bottom),
             name,
             # a letter takes 3 % of a phone's chart
             "upper right" if load < right - 0.03 * len(name) * (right - left) else "upper left",
@@ -82,7 +91,7 @@ def load_frequency_chart(
     for name, load in shown.items():
         wording = Wording(f"{name}, {{}}", (Amount(LOAD, load, 5),))
         marks.vertical(load, y_range, wording, "limit")
-    rows = _mode_labels(first, 0, "upper right") + _limit_labels(shown, x_range, y_range)
+    rows = _mode_labels(first, 0, "right") + _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
@@ -143,6 +152,6 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
             Layer("lines", "whirl", lines.columns),
             Layer("lines", "marks", marks.columns),
             points_layer("critical speeds", points, "critical speed"),
-            Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "upper left"))),
+            Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "left"))),
         ),
     )

@@ -54,17 +54,20 @@ def test_a_prediction_is_not_given_away_and_a_unit_is_no_wrong_answer(open_page)
     at_step(page, 1)
     page.evaluate("rotorstab.change('show_growth', true)")
     page.wait_for_function("rotorstab.last.values.show_growth")
-    assert page.locator("[data-verdict]").is_hidden()
+    assert page.locator("[data-point]").is_hidden()
+    assert page.get_by_role("button", name="Details").is_hidden()
     page.get_by_text("The result is shown after your prediction.").wait_for()
     box = page.locator(".lesson-box")
     box.fill("2 ω_n")
     box.press("Enter")
     page.locator(".lesson-words.note", has_text="Write a number only").wait_for()
-    assert page.locator("[data-verdict]").is_hidden()
+    assert page.locator("[data-point]").is_hidden()
+    assert page.get_by_role("button", name="Details").is_hidden()
     box.fill("2")
     box.press("Enter")
     page.locator(".lesson-words.right").wait_for()
-    page.locator("[data-verdict]", has_text="1B+1F").wait_for()
+    page.get_by_role("button", name="Details").click()
+    page.locator("#details", has_text="1B+1F").wait_for()
 
 
 def test_nothing_of_the_old_step_acts_while_the_new_one_is_under_way(open_page):
@@ -82,11 +85,12 @@ LEAKS = """() => {
   const figure = [...Bokeh.documents[0].roots()].flatMap((top) => [...top.references()])
     .find((one) => one.type === "Figure" && one.name === "instability");
   const names = figure.renderers.find((one) => one.name === "tongue");
-  const words = "[data-verdict], [data-inspector], .pins table, [data-hidden-layers]";
+  const words = "[data-point], .details-button, [data-inspector], .pins";
   return {
     words: [...document.querySelectorAll(words)].filter(open).map((one) => one.textContent),
-    asked: [...document.querySelectorAll("dd[data-number], dd[data-whirl]")].filter(
-      (one) => !open(one)).map((one) => one.dataset.number || one.dataset.whirl),
+    asked: [...document.querySelectorAll("[data-number], [data-whirl]")].filter(
+      (one) => getComputedStyle(one).visibility === "hidden"
+    ).map((one) => one.dataset.number || one.dataset.whirl),
     names: names.visible && names.glyph.text_alpha.value > 0,
     hover: figure.toolbar.tools.some((one) => one.type === "HoverTool" && one.active),
   };

@@ -298,7 +298,7 @@ def settled(page):
 def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page = open_page(reduced_motion="reduce")
     page.set_default_timeout(60_000)
-    assert page.locator(".card.inspector").is_hidden()
+    page.get_by_text("Click the instability chart to mark a point.").wait_for()
     box = page.locator("[data-page=explore] .plot.tall").bounding_box()
     page.mouse.click(box["x"] + 0.2 * box["width"], box["y"] + 0.6 * box["height"])
     settled(page)
@@ -319,7 +319,7 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
         " && rotorstab.last.values.marker_factor === 0.5"
     )
     settled(page)
-    assert "unstable" in page.locator("[data-inspector=sentence]").inner_text()
+    assert "unstable" in page.locator("[data-point]").inner_text()
 
     state = State()
     state.change(page.evaluate("rotorstab.last.values"))
@@ -347,7 +347,7 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page.locator("a[href='#explore']").click()
     page.locator(".marker-remove").click()
     page.wait_for_function("rotorstab.last.inspector === null")
-    assert page.locator(".card.inspector").is_hidden()
+    page.get_by_text("Click the instability chart to mark a point.").wait_for()
 
 
 @pytest.mark.parametrize(

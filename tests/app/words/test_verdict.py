@@ -8,7 +8,8 @@ from app.pages.marked_point import inspect
 from app.results.analysis import solve
 from app.results.limits import Detail
 from app.state import State
-from app.words.verdict import verdict, verdict_room
+from app.words.details import details
+from app.words.verdict import percent, verdict
 
 DRIVEN = {
     "model": "finite elements",
@@ -165,9 +166,40 @@ def test_the_verdict_names_one_region_once():
     assert "(0.062 wide)" in words
 
 
-@pytest.mark.parametrize("values", [{}, DRIVEN, SLOW, HELD])
-def test_the_room_of_a_coarse_verdict_holds_its_comparison(values):
-    coarse = solved(values, Detail.COARSE)[1].floquet
-    full = solved(values)[1].floquet
-    assert len(verdict_room(coarse)) >= len(verdict(coarse))
-    assert len(verdict_room(full)) >= len(verdict(full))
+def texts(values, detail=Detail.REFINED):
+    return details(solved(values, detail)[1].floquet)
+
+
+def test_the_table_of_tongues_has_a_row_for_each_region_of_first_order():
+    _, result = solved({})
+    table = result.floquet.table
+    found = texts({})
+    assert found["columns"][0] == "Tongue"
+    assert "begins at β_d" not in found["columns"]
+    names = [row[0] for row in found["rows"]]
+    assert names == [row.name for row in sorted(table.tongues, key=lambda one: one.centre)]
+    for name, place, width, growth in found["rows"]:
+        frequency = result.numbers["fundamental"]
+        assert float(place) == pytest.approx(table[name].centre / frequency, abs=1e-3)
+        assert float(width) == pytest.approx(2 * table[name].half_width / frequency, abs=1e-3)
+        assert float(growth) == pytest.approx(table[name].growth, rel=1e-2)
+
+
+def test_with_damping_the_table_says_where_each_tongue_begins():
+    _, result = solved({"external_damping": 0.05})
+    found = texts({"external_damping": 0.05})
+    assert found["columns"][-1] == "begins at β_d"
+    for row in found["rows"]:
+        threshold = result.floquet.table[row[0]].threshold / result.numbers["reference"]
+        assert float(row[-1]) == pytest.approx(threshold, rel=1e-2)
+        assert (row[2] == "—") == (threshold > 0.1)
+    assert "To first order, damping keeps the rotor stable up to" in found["words"]
+
+
+def test_the_shares_of_the_window_are_those_of_the_map():
+    assert texts({}, Detail.COARSE)["shares"] == []
+    answer = solved({})[1].floquet
+    shares = dict(texts({})["shares"])
+    assert shares["Unstable (Floquet)"] == percent(answer.unstable_share)
+    assert shares["In a Bolotin region"] == percent(answer.bolotin_share)
+    assert texts(DRIVEN)["rows"] == []
