@@ -17,7 +17,7 @@ from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply
 from .results.limits import Detail
-from .state import State
+from .state import State, Use, names_for
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
 from .words.refusals import FAILED, user_message
 
@@ -26,8 +26,6 @@ __all__ = ["Session"]
 _LOG = logging.getLogger("rotorstab.app")
 # messages that ask for a file, which takes longer than an answer may
 _MAKE_FILES = ("export", "report", "figure")
-# inputs that decide how the page looks before its first answer
-_LOOKS = ("units", "growth_unit", "show_growth", "show_bolotin", "show_disagreement")
 
 
 class Session:
@@ -71,7 +69,7 @@ class Session:
 
     def looks(self) -> dict[str, Any]:
         """Return the inputs that decide how the page looks before its first answer."""
-        return {name: getattr(self.state, name) for name in _LOOKS}
+        return {name: getattr(self.state, name) for name in names_for(Use.LOOK)}
 
     def roots(self) -> dict[str, Any]:
         """Return everything the template embeds."""

@@ -10,8 +10,8 @@ from typing import Any
 from rotorstab import Scales
 
 from ..lessons.markdown import plain
-from ..state import SYMBOLS, State
-from ..words.si import key_numbers, load_in, named_inputs, shown_scales
+from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
+from ..words.si import key_numbers, load_in, shown_scales
 
 __all__ = ["page_address", "report_html"]
 
@@ -41,7 +41,6 @@ _NUMBERS = {
     "static_load": "static load p̄₀",
     "fundamental": "natural frequency at rest ω_n",
 }
-_LEFT_OUT = ("marker", "show_", "growth_unit", "stiffness", "initial", "seed", "periods")
 
 
 def _table(rows: Sequence[tuple[str, str]]) -> str:
@@ -52,8 +51,9 @@ def _table(rows: Sequence[tuple[str, str]]) -> str:
 
 
 def _label(name: str) -> str:
-    field, _, unit = name.partition(" ")
-    return f"{State.param[field].label} {SYMBOLS.get(field, '')} {unit}".strip()
+    unit = SI_INPUTS.get(name, "")
+    words = State.param[name].label, SYMBOLS.get(name, ""), f"[{unit}]" if unit else ""
+    return " ".join(word for word in words if word)
 
 
 def _shown(value: Any) -> str:
@@ -94,9 +94,9 @@ def report_html(
     """
     scales = shown_scales(state)
     settings = [
-        (_label(name), _shown(value))
-        for name, value in named_inputs(state.inputs()).items()
-        if not name.startswith(_LEFT_OUT)
+        (_label(name), _shown(getattr(state, name)))
+        for name in names_for(Use.REPORTED)
+        if scales is not None or name not in SI_INPUTS
     ]
     half_way = -(-len(settings) // 2)
     charts = [

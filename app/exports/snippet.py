@@ -8,12 +8,12 @@ from rotorstab.model.stiffness import largest_exact_load
 
 from ..pages.marked_point import inspect
 from ..results.analysis import BOUNDARY_ROWS, Result, solve
-from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_kinds
+from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_cases
 from ..results.floquet_answer import TABLE_FACTOR
 from ..results.limits import Detail, map_size
 from ..results.model import ELEMENTS, MODES, model_of
 from ..results.window import chart_options
-from ..state import State
+from ..state import INITIAL_CONDITIONS, State
 
 __all__ = ["python_snippet"]
 
@@ -70,10 +70,8 @@ def _curves(state: State, result: Result) -> str:
     """Return the lines of the load–frequency chart."""
     low, high = result.charts["load-frequency"].x_range
     systems = "".join(
-        f"    {name!r}: {_system(state, tangency, law)},\n"
-        for name, tangency, law in load_kinds(
-            state.model, state.effective_tangency(), state.stiffness
-        )
+        f"    {case.name!r}: {_system(state, case.tangency, case.law)},\n"
+        for case in load_cases(state.model, state.effective_tangency(), state.stiffness)
     )
     return (
         f"load_axis = np.linspace({low!r}, {high!r}, {LOADS})\n"
@@ -97,7 +95,7 @@ point = (
 )
 multipliers = floquet_multipliers(system, *point)
 rate = growth_rate(system, *point)
-start = initial_conditions(system, static_load, {state.initial.replace(" ", ":")!r}{seed})
+start = initial_conditions(system, static_load, {INITIAL_CONDITIONS[state.initial]!r}{seed})
 response = time_response(system, *point, start, {periods}, {found.samples})
 """
 
@@ -129,8 +127,8 @@ def python_snippet(state: State) -> str:
 
     Raises
     ------
-    ValueError
-        With words for the page, where these inputs have no answer.
+    UserError
+        Where these inputs have no answer.
     """
     result = solve(state, Detail.COARSE)  # the map of growth is not needed here
     in_si = state.units == "SI" and state.shaft_in_use()

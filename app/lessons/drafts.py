@@ -66,11 +66,11 @@ def read_drafts(text: str, offset: int) -> tuple[list[Token], list[Draft]]:
             index += 3  # a heading is three tokens: its opening, its text, its end
             continue
         index += 1
-        kind = block.info.strip()
-        if block.type == "fence" and kind in _BLOCKS and block.level == 0:
+        name = block.info.strip()
+        if block.type == "fence" and name in _BLOCKS and block.level == 0:
             if not drafts:
-                raise LessonError(line, f"a {kind} block belongs into a step")
-            _gather(drafts[-1], kind, Table(block.content, line + 1))
+                raise LessonError(line, f"a {name} block belongs into a step")
+            _gather(drafts[-1], name, Table(block.content, line + 1))
             continue
         if drafts and not drafts[-1].parts:
             raise LessonError(line, "a step's text belongs under ### Predict, ### Try or ### See")
@@ -98,12 +98,12 @@ def _heading(
     return drafts[-1].parts[name]
 
 
-def _gather(draft: Draft, kind: str, table: Table) -> None:
+def _gather(draft: Draft, name: str, table: Table) -> None:
     """Add a block of parameters to a step."""
     values = table.read()
-    if kind == "set":
+    if name == "set":
         (draft.in_try if "try" in draft.parts else draft.before_try).append((values, table))
-    elif kind == "question":
+    elif name == "question":
         if draft.question:
             raise LessonError(table.line, "a step has one question")
         draft.question = values, table

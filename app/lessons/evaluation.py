@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ..reading.user_error import UserError
 from ..results.caches import shared_cache
 from .quantities import find
 from .situation import Situation
@@ -21,12 +22,12 @@ def _situation(items: tuple[tuple[str, Any], ...], load: float | None) -> Situat
 def _evaluate(name: str, items: tuple[tuple[str, Any], ...], load: float | None) -> float:
     found = find(name)
     if found is None:
-        raise ValueError(f"no quantity named {name!r}")
+        raise UserError(f"no quantity named {name!r}")
     quantity, parts = found
     try:
         return float(quantity.compute(_situation(items, load), *parts))
     except KeyError:
-        raise ValueError(
+        raise UserError(
             f"{name!r}: there is no such pair of modes; write B before F and 1 before 2"
         ) from None
 
@@ -50,7 +51,7 @@ def evaluate(name: str, inputs: Mapping[str, Any], load: float | None = None) ->
 
     Raises
     ------
-    ValueError
+    UserError
         If there is no such quantity, or these inputs have no answer.
     """
     return _evaluate(name, tuple(inputs.items()), load)

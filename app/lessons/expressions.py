@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..reading.user_error import UserError
 from .quantities import find
 
 __all__ = ["Condition", "Expression", "Term", "read_condition", "read_expression"]
@@ -90,12 +91,12 @@ class Condition:
 
         Raises
         ------
-        ValueError
+        UserError
             If a side has no value.
         """
         left, right = self.left.value(values), self.right.value(values)
         if math.isnan(left) or math.isnan(right):
-            raise ValueError("a side of the comparison has no value")
+            raise UserError("a side of the comparison has no value")
         larger = max(abs(left), abs(right))
         equal = left == right or abs(left - right) <= max(tolerance * larger, _NOTHING)
         if self.relation == "=":
@@ -108,15 +109,15 @@ def _term(word: str) -> Term:
         return Term("", number=float(word))
     name, at, case = word.partition("@")
     if find(name) is None:
-        raise ValueError(f"there is no quantity {name[:60]!r}")
+        raise UserError(f"there is no quantity {name[:60]!r}")
     if at and not _CASE.fullmatch(case):
-        raise ValueError(f"{case[:60]!r} is no name of a case")
+        raise UserError(f"{case[:60]!r} is no name of a case")
     return Term(name, case or DEFAULT_CASE)
 
 
 def _words(text: str) -> list[str]:
     if len(text) > _LONGEST:
-        raise ValueError(f"longer than {_LONGEST} characters")
+        raise UserError(f"longer than {_LONGEST} characters")
     return text.replace("−", "-").split()
 
 
@@ -125,21 +126,21 @@ def _expression(words: list[str]) -> Expression:
         return Expression(_term(words[0]))
     if len(words) == 3 and words[1] in "+-*/":
         return Expression(_term(words[0]), words[1], _term(words[2]))
-    raise ValueError(
+    raise UserError(
         f"{' '.join(words)[:60]!r} must be one quantity, or two with + - * / and spaces between"
     )
 
 
 def read_expression(text: str) -> Expression:
-    """Return the expression of a text; ValueError says what is wrong with it."""
+    """Return the expression of a text; UserError says what is wrong with it."""
     return _expression(_words(text))
 
 
 def read_condition(text: str) -> Condition:
-    """Return the condition of a text; ValueError says what is wrong with it."""
+    """Return the condition of a text; UserError says what is wrong with it."""
     words = _words(text)
     places = [index for index, word in enumerate(words) if word in ("<", ">", "=")]
     if len(places) != 1:
-        raise ValueError(f"{text[:60]!r} must compare two sides with one of < > =")
+        raise UserError(f"{text[:60]!r} must compare two sides with one of < > =")
     (place,) = places
     return Condition(_expression(words[:place]), words[place], _expression(words[place + 1 :]))

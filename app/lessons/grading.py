@@ -10,7 +10,9 @@ from typing import Any
 from rotorstab._tolerances import DECIMAL_ROUNDING
 
 from ..reading.numbers import TwoReadings, read_number
+from ..reading.user_error import UserError
 from ..words.refusals import user_message
+from ..words.typography import with_unit
 from .evaluation import evaluate
 from .expressions import DEFAULT_CASE, Values
 from .format import Lesson, Step
@@ -131,7 +133,7 @@ def _number(value: Any) -> float | None:
         return read_number(value.strip().rstrip("%"))
     except TwoReadings:
         raise
-    except ValueError:
+    except UserError:
         return None
 
 
@@ -140,9 +142,7 @@ def solver_answer(step: Step) -> str:
     question, answer = step.question, solution(step)
     if question.kind == "number":
         assert answer is not None
-        return (
-            f"The solver gives <b>{number_text(answer)}</b>{question.unit and ' '}{question.unit}."
-        )
+        return f"The solver gives {with_unit(f'<b>{number_text(answer)}</b>', question.unit)}."
     if question.kind == "choice":
         assert isinstance(answer, int)
         return f"The solver’s answer: <b>{question.choices[answer].text}</b>."

@@ -11,6 +11,8 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 from markupsafe import Markup, escape
 
+from ..words.typography import keep_units_together
+
 __all__ = ["inline", "plain", "render", "tokens"]
 
 # "β_d" and its like; a combining bar may follow the letter
@@ -19,7 +21,8 @@ _SYMBOL = re.compile(r"([^\W\d_]̄?)_([^\W_²³]{1,8})")
 
 def plain(text: str) -> Markup:
     """Return a text escaped for HTML, with the subscripts of its symbols."""
-    return Markup(_SYMBOL.sub(r'<span class="symbol">\1<sub>\2</sub></span>', str(escape(text))))
+    escaped = str(escape(keep_units_together(text)))
+    return Markup(_SYMBOL.sub(r'<span class="symbol">\1<sub>\2</sub></span>', escaped))
 
 
 class _Renderer(RendererHTML):

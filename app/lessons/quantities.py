@@ -29,6 +29,11 @@ def _threshold(at: Situation) -> float:
     return min(row.threshold for row in at.table) / at.reference
 
 
+def _inside_bolotin_region(at: Situation) -> float:
+    undamped = at.operation.undamped
+    return float(in_bolotin_region(undamped, at.static, at.pulsating, at.frequency))
+
+
 QUANTITIES = (
     Quantity(
         "whirl.<mode>",
@@ -48,7 +53,12 @@ QUANTITIES = (
         "first natural frequency ω_n of the resting, unloaded rotor",
         lambda at: at.fundamental,
     ),
-    Quantity("buckling", "buckling load p̄_cr", "static buckling load p̄_cr", lambda at: at.buckling),
+    Quantity(
+        "buckling",
+        "buckling load p̄_cr",
+        "static buckling load p̄_cr",
+        lambda at: at.operation.buckling_load,
+    ),
     Quantity(
         "flutter",
         "flutter load p̄_f",
@@ -141,7 +151,9 @@ QUANTITIES = (
         "bolotin.inside",
         "marker in a Bolotin region",
         "1 where the marker lies in a Bolotin region, else 0",
-        lambda at: float(in_bolotin_region(at.undamped, at.static, at.pulsating, at.frequency)),
+        lambda at: float(
+            in_bolotin_region(at.operation.undamped, at.static, at.pulsating, at.frequency)
+        ),
         True,
     ),
     Quantity(

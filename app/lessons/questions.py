@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..reading.user_error import UserError
 from .expressions import DEFAULT_CASE, Condition, Expression, read_condition, read_expression
 from .markdown import inline
 from .situation import LARGEST_LOAD
@@ -109,30 +110,30 @@ _KEYS = {
 
 def read_question(values: dict[str, Any], table: Table) -> Question:
     """Return the question of a block; LessonError names what is wrong with it and its line."""
-    kinds = [key for key in _KEYS if key in values]
-    if len(kinds) != 1:
+    asked = [key for key in _KEYS if key in values]
+    if len(asked) != 1:
         raise table.error("ask", "a question has one of answer, choices, goal")
-    (kind,) = kinds
-    table.only(values, _KEYS[kind], "this question")
+    (target,) = asked
+    table.only(values, _KEYS[target], "this question")
     answer, goal, choices = None, None, []
-    if kind == "choices":
+    if target == "choices":
         choices = list(_choices(values["choices"], table))
     else:
-        text = table.line_of_text(values, kind)
+        text = table.line_of_text(values, target)
         try:
-            if kind == "answer":
+            if target == "answer":
                 answer = read_expression(text)
             else:
                 goal = read_condition(text)
-        except ValueError as error:
-            raise table.error(kind, f"{kind}: {error}") from None
+        except UserError as error:
+            raise table.error(target, f"{target}: {error}") from None
     cases = _cases(values, table)
     terms = [*(answer.terms if answer else ()), *(goal.terms if goal else ())]
     terms += [term for choice in choices for term in choice.when.terms]
     for term in terms:
         if term.case not in ("before", DEFAULT_CASE, *cases):
-            raise table.error(kind, f"{kind}: there is no case {term.case!r}")
-    tolerance, relative = _tolerance(values, table, kind == "answer")
+            raise table.error(target, f"{target}: there is no case {term.case!r}")
+    tolerance, relative = _tolerance(values, table, target == "answer")
     return Question(
         ask=inline(table.line_of_text(values, "ask")),
         hint=inline(table.line_of_text(values, "hint")),
@@ -170,7 +171,7 @@ def _choices(entries: Any, table: Table) -> Iterator[Choice]:
         hint = table.line_of_text(entry, "hint", needed=False, what=what + "hint")
         try:
             yield Choice(inline(text), read_condition(when), inline(hint))
-        except ValueError as error:
+        except UserError as error:
             raise table.error("choices", f"choices: {error}") from None
 
 

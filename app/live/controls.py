@@ -136,13 +136,17 @@ class Controls(pn.custom.JSComponent):
         )
 
     def _handle_msg(self, data: Any) -> None:
+        """Take a message as Panel hands it over."""
+        self.receive(data)
+
+    def receive(self, data: Any) -> None:
         """Answer one message; anything that is not a mapping is ignored."""
         if not isinstance(data, Mapping):
             return
         sequence = data.get("seq")
         number = {"seq": sequence if isinstance(sequence, int) else 0}
         if data.get("type") == "ping":  # asks only whether the server is there
-            self._send_msg(number)
+            self.send(number)
             return
         with turn, pn.io.hold():  # patches and answer leave as one message
             began = perf_counter()
@@ -151,7 +155,7 @@ class Controls(pn.custom.JSComponent):
             except Exception:
                 _LOG.exception("a message could not be answered")
                 answer = {"told": "the server could not use this message"}
-            self._send_msg(answer | number)
+            self.send(answer | number)
         observe("update", perf_counter() - began)
 
     def _server_event(self, doc: Document, event: Event) -> None:
@@ -168,5 +172,5 @@ class Controls(pn.custom.JSComponent):
             self._process_event(event)
 
     def send(self, content: Mapping[str, Any]) -> None:
-        """Send the browser a message that it did not ask for."""
+        """Send the browser a message: an answer, or one that it did not ask for."""
         self._send_msg(dict(content))

@@ -13,8 +13,9 @@ from rotorstab.charts import Chart
 
 from ..live.chart import LiveChart
 from ..live.low import make_low
+from ..reading.user_error import UserError
 from ..results.analysis import CHARTS, Result, solve, window_of
-from ..results.curves import load_kinds
+from ..results.curves import load_cases
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..results.window import Window
@@ -177,8 +178,8 @@ class Explore(Page):
             "details": details(result.floquet, shown_scales(state)),
             "settled": detail is Detail.REFINED,
             "curves": [
-                name
-                for name, *_ in load_kinds(state.model, state.effective_tangency(), state.stiffness)
+                case.name
+                for case in load_cases(state.model, state.effective_tangency(), state.stiffness)
             ],
             "inspector": None,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
@@ -214,7 +215,7 @@ def _open_rotor_file(text: object, state: State) -> Reply:
     """Set the inputs from a rotor file; a bad file leaves every input as it was."""
     try:
         values, left_out = read_rotor_file(text if isinstance(text, str) else "")
-    except ValueError as error:
+    except UserError as error:
         return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
     state.change(values)
     if left_out:

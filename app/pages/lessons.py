@@ -130,21 +130,21 @@ class Lessons(Page):
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Begin a step, set the inputs of its Try, grade an answer, show it, or end the lesson."""
-        kind, step = message.get("type"), self.step
-        if kind == "lesson":
+        message_type, step = message.get("type"), self.step
+        if message_type == "lesson":
             return self._begin(message, state)
-        if kind == "lesson-end":
+        if message_type == "lesson-end":
             self._running = None
             state.change(self._before)
             self._before = {}
             return Reply(keep_colours=False)
         elif step is None:
             return Reply()
-        elif kind == "lesson-set":
+        elif message_type == "lesson-set":
             state.change(step.after)
-        elif kind == "lesson-answer":
+        elif message_type == "lesson-answer":
             return Reply({"lesson_answer": self._grade(step, message.get("value"), state)})
-        elif kind == "lesson-show":
+        elif message_type == "lesson-show":
             recalled = message.get("recall") is True
             return Reply({"lesson_answer": {**_shown_answer(step), "recalled": recalled}})
         return Reply()
@@ -168,11 +168,11 @@ class Lessons(Page):
 
     def _grade(self, step: Step, value: Any, state: State) -> dict[str, Any]:
         try:
-            verdict = grade(step, value, state.inputs())
+            graded = grade(step, value, state.inputs())
         except Unanswerable:
             _LOG.exception("a question without an answer: %s", step.title)
             return {"right": False, "counted": False, "words": _NO_ANSWER}
-        return {"right": verdict.right, "counted": verdict.counted, "words": verdict.words}
+        return {"right": graded.right, "counted": graded.counted, "words": graded.words}
 
     def sidebar_answer(self, state: State) -> dict[str, Any]:
         """Return the present values of the quantities that the running step shows."""

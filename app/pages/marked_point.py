@@ -10,11 +10,12 @@ from typing import Any
 from rotorstab import TimeResponse, in_bolotin_region
 from rotorstab.charts import Chart, Layer, in_seconds, marker_layer, pair_layers
 
+from ..reading.user_error import UserError
 from ..results.analysis import Result
 from ..results.marked_point import Point, solve_point
-from ..results.model import model_of
 from ..results.nearest import nearest_pair
-from ..state import State
+from ..results.operation import operation_of
+from ..state import INITIAL_CONDITIONS, State
 from ..words.point import describe
 from ..words.si import shown_scales
 from .animation import animation
@@ -54,7 +55,7 @@ class Inspection:
 
 def with_marks(charts: dict[str, Chart], state: State, result: Result) -> dict[str, Chart]:
     """Return the three charts with the marker, and the nearest pair of modes, drawn on them."""
-    excitation = state.marker_frequency * result.numbers["fundamental"]
+    excitation = operation_of(state).excitation_frequency(state.marker_frequency)
     marks: dict[str, Sequence[Layer]] = {
         "instability": [marker_layer(state.marker_frequency, state.marker_factor)]
     }
@@ -76,10 +77,10 @@ def inspect(state: State, result: Result) -> Inspection:
 
     Raises
     ------
-    ValueError
-        With words for the page, where this point has no answer.
+    UserError
+        Where this point has no answer.
     """
-    point = _marked_point(state, result)
+    point = _marked_point(state)
     answer = solve_point(point)
     bolotin = bool(
         in_bolotin_region(point.undamped(), point.static, point.pulsating, point.excitation)
@@ -102,22 +103,23 @@ def inspect(state: State, result: Result) -> Inspection:
     )
 
 
-def _marked_point(state: State, result: Result) -> Point:
-    """Return the point of the marker; ValueError with words where the exact law ends below it."""
+def _marked_point(state: State) -> Point:
+    """Return the point of the marker; UserError where the exact law ends below it."""
+    operation = operation_of(state)
     point = Point(
-        model=model_of(state),
-        spin_speed=state.spin_speed,
-        tangency=state.effective_tangency(),
-        static=result.numbers["static_load"],
-        pulsating=state.marker_factor * result.numbers["reference"],
-        excitation=state.marker_frequency * result.numbers["fundamental"],
-        initial=state.initial,
+        model=operation.model,
+        spin_speed=operation.spin_speed,
+        tangency=operation.tangency,
+        static=operation.static_load,
+        pulsating=operation.pulsating_load(state.marker_factor),
+        excitation=operation.excitation_frequency(state.marker_frequency),
+        initial=INITIAL_CONDITIONS[state.initial],
         seed=round(state.seed) if state.initial == "noise" else 0,
         periods=round(state.periods),
     )
-    limit = point.system().largest_load
+    limit = operation.system.largest_load
     if (peak := point.static + point.pulsating) >= limit:
-        raise ValueError(
+        raise UserError(
             f"Here the load reaches p̄ = {peak:.4g}. With the exact stiffness law it must stay "
             f"below {limit:.4g}, where a shaft clamped at both ends buckles: move the marker to a "
             "lower β_d."

@@ -14,6 +14,7 @@ from ..background.printing import printer
 from ..results.comparisons import figure_known, keep_figure, paper_figure
 from ..results.limits import Detail
 from ..state import PRESETS, SYMBOLS, State
+from ..words.typography import keep_units_together
 from .base import Need, Page, Reply
 
 __all__ = ["Paper", "figure_need", "is_figure"]
@@ -68,17 +69,17 @@ def describe(number: int, floquet: bool) -> dict[str, Any]:
         "floquet": floquet,
         "has_floquet": number in FLOQUET_FIGURES,
         "title": figure.title,
-        "caption": figure.caption,
+        "caption": keep_units_together(figure.caption),
         "parameters": [
             [f"{name.replace('_', ' ')} {_symbol(name)}".strip(), _shown(value)]
             for name, value in figure.parameters.items()
         ],
         "reading": [
             {
-                "text": reading.text,
-                "ours": reading.ours,
+                "text": keep_units_together(reading.text),
+                "ours": keep_units_together(reading.ours),
                 "verdict": reading.verdict,
-                "note": reading.note,
+                "note": keep_units_together(reading.note),
             }
             for reading in figure.reading
         ],

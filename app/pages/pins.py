@@ -15,9 +15,10 @@ from rotorstab.charts import Chart, Layer, load_unit, written
 from ..results.analysis import Result, solve, window_of
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
-from ..state import SI_INPUTS, SYMBOLS, State
+from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
 from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
 from ..words.si import chart_in_si, key_numbers, quantities_in_si, shown_scales
+from ..words.typography import with_unit
 
 __all__ = ["Pin", "differences", "pin", "solve_pin", "with_pins"]
 
@@ -29,7 +30,6 @@ _NUMBERS = {
     "static_load": ("Static load p̄_0", "Static load P_0 [{}]"),
     "fundamental": ("At rest ω̄_n", "At rest f_n [Hz]"),
 }
-_RANGES = ("lowest", "highest", "largest")  # inputs that begin so move no curve of a pin
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,8 +66,8 @@ def solve_pin(pinned: PinnedInputs) -> Pin:
 
     Raises
     ------
-    ValueError
-        With words for the page, where its inputs have no answer.
+    UserError
+        Where its inputs have no answer.
     """
     state = State(**pinned.inputs)
     # no curve depends on the growth map: a refined one is used only if it is there
@@ -142,10 +142,11 @@ def _numbers(
         grows = ""
         if imaginary:
             word = "grows" if imaginary < 0 else "decays"
-            grows = f", {word} by {written(abs(imaginary), 3)}{' 1/s' if si else ''}"
+            rate = with_unit(written(abs(imaginary), 3), "1/s" if si else "")
+            grows = f", {word} by {rate}"
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
     part = result.floquet.unstable_share
-    share = f"{100 * part:.3g} %" if math.isfinite(part) else "not computed"
+    share = with_unit(f"{100 * part:.3g}", "%") if math.isfinite(part) else "not computed"
     rough = not refined and math.isfinite(part)
     numbers["Unstable share of the computed window"] = f"≈ {share}" if rough else share
     tongues = result.floquet.table.tongues
@@ -181,9 +182,7 @@ def _inputs(inputs: Mapping[str, Any], scales: Scales | None) -> dict[str, str]:
     """Return the pinned inputs by label; in SI with the scales of their shaft."""
     units = {} if scales is None else quantities_in_si(scales)
     found = {}
-    for name in PINNED:
-        if name.startswith(_RANGES):
-            continue
+    for name in names_for(Use.COMPARED):
         factor, unit = units.get(name, (None, SI_INPUTS.get(name, "")))
         value = inputs[name] if factor is None else inputs[name] * factor
         symbol = SYMBOLS.get(name, "")

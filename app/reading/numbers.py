@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 import re
 
+from .user_error import UserError
+
 __all__ = ["NUMBER", "TwoReadings", "printable", "read_number"]
 
 _SPACES = "[ \u00a0\u2009\u202f'’_]"  # may stand between groups of thousands
@@ -27,7 +29,7 @@ _NUMBER = re.compile(NUMBER)
 _TWO_READINGS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?:[eE][+-]?[0-9]+)?")
 
 
-class TwoReadings(ValueError):
+class TwoReadings(UserError):
     """A number whose comma may be a decimal sign or a separator of thousands."""
 
 
@@ -52,7 +54,7 @@ def read_number(text: str) -> float:
 
     Raises
     ------
-    ValueError
+    UserError
         If the text is no number or is too large.
     TwoReadings
         If its comma may be a decimal sign or a separator of thousands.
@@ -64,7 +66,7 @@ def read_number(text: str) -> float:
     """
     plain = text.strip().replace("−", "-")
     if len(plain) > 400 or not _NUMBER.fullmatch(plain):
-        raise ValueError(f"{printable(text)!r} is not a number")
+        raise UserError(f"{printable(text)!r} is not a number")
     if _TWO_READINGS.fullmatch(plain):
         readings = " or ".join(f"{float(plain.replace(',', point)):.10g}" for point in (".", ""))
         raise TwoReadings(f"{plain!r} can mean {readings}: write one of them")
@@ -78,5 +80,5 @@ def read_number(text: str) -> float:
         plain = plain.replace("," if plain[last] == "." else ".", "").replace(",", ".")
     value = float(plain.replace(",", "."))
     if not math.isfinite(value):
-        raise ValueError(f"{printable(text)!r} is too large")
+        raise UserError(f"{printable(text)!r} is too large")
     return value

@@ -14,6 +14,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from .numbers import NUMBER, printable, read_number
+from .user_error import UserError
 
 if TYPE_CHECKING:
     import pint
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DIMENSIONS", "quantity"]
 
-# by kind of quantity: the unit in which it is returned, and examples for the error
+# by dimension of quantity: the unit in which it is returned, and examples for the error
 DIMENSIONS = {
     "length": ("m", "a length, such as 0.5 m or 20 mm"),
     "modulus": ("Pa", "a modulus, such as 207 GPa or 207000 N/mm^2"),
@@ -143,8 +144,8 @@ def _factors(unit: str) -> list[tuple[str, int]]:
     return factors if at == len(unit) else []
 
 
-def _factor(unit: str, kind: str, words: str) -> float:
-    """Return what one unit is in the unit of a kind; `words` begin the error."""
+def _factor(unit: str, dimension: str, words: str) -> float:
+    """Return what one unit is in the unit of a dimension; `words` begin the error."""
     factors = _factors(unit)
     readings = []
     if 0 < len(factors) <= _MOST_FACTORS:
@@ -152,8 +153,8 @@ def _factor(unit: str, kind: str, words: str) -> float:
         for meanings in product(*(_meanings(word) for word, _ in factors)):
             readings.append(math.prod(map(pow, meanings, powers)))
     if not readings:
-        raise ValueError(f"{words} has no unit that is known")
-    wanted = _in_base_units(DIMENSIONS[kind][0]).units
+        raise UserError(f"{words} has no unit that is known")
+    wanted = _in_base_units(DIMENSIONS[dimension][0]).units
     sizes = {
         f"{reading.magnitude:.12g}": reading.magnitude
         for reading in readings
@@ -161,40 +162,40 @@ def _factor(unit: str, kind: str, words: str) -> float:
     }
     if len(sizes) == 1:
         return float(sizes.popitem()[1])
-    if kind == "speed" and readings[0].units == _in_base_units("Hz").units:
+    if dimension == "speed" and readings[0].units == _in_base_units("Hz").units:
         if math.isclose(readings[0].magnitude, 1 / 60):  # min⁻¹ counts turns by every standard
             return _in_base_units("rpm").magnitude
-        raise ValueError(f"{words} can count turns or radians: write rev/s or rad/s")
-    raise ValueError(f"{words} is not one")
+        raise UserError(f"{words} can count turns or radians: write rev/s or rad/s")
+    raise UserError(f"{words} is not one")
 
 
-def quantity(text: object, kind: str) -> float:
-    """Return a quantity in the SI unit of its kind.
+def quantity(text: object, dimension: str) -> float:
+    """Return a quantity in the SI unit of its dimension.
 
     Parameters
     ----------
     text : str
         A number and a unit: up to four units, multiplied or divided, with powers to 9.
-    kind : str
+    dimension : str
         A key of `DIMENSIONS`.
 
     Raises
     ------
-    ValueError
+    UserError
         With what is allowed and what was given.
     """
-    allowed = f"must be {DIMENSIONS[kind][1]}"
+    allowed = f"must be {DIMENSIONS[dimension][1]}"
     if not isinstance(text, str):
-        raise ValueError(f"{allowed}, as text in quotes")
+        raise UserError(f"{allowed}, as text in quotes")
     shown = repr(printable(text))
     found = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
     if found is None:
-        raise ValueError(f"{allowed}; {shown} is not one number and one unit")
-    factor = _factor(found[2], kind, f"{allowed}; {shown}")
+        raise UserError(f"{allowed}; {shown} is not one number and one unit")
+    factor = _factor(found[2], dimension, f"{allowed}; {shown}")
     try:
         value = read_number(found[1]) * factor
-    except ValueError as error:
-        raise ValueError(f"{allowed}; {error}") from None
+    except UserError as error:
+        raise UserError(f"{allowed}; {error}") from None
     if not abs(value) < _LARGEST:
-        raise ValueError(f"{allowed}; {shown} is too large")
+        raise UserError(f"{allowed}; {shown} is too large")
     return value

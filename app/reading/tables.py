@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 from .numbers import printable, read_number
 from .quantities import quantity
 from .toml import read_toml
+from .user_error import UserError
 
 __all__ = ["Tables", "shown"]
 
@@ -63,7 +64,7 @@ class Tables:
 
     def fail(self, key: str, problem: str) -> NoReturn:
         """Refuse the file because of a key."""
-        raise ValueError(self.sentence(key, problem))
+        raise UserError(self.sentence(key, problem))
 
     def table(self, name: str) -> Mapping[str, Any]:
         """Return a table; an unknown key in it is an error."""
@@ -83,16 +84,16 @@ class Tables:
             if key not in self.tables[name]:
                 self.fail(name, f"lacks {key}")
 
-    def quantity(self, path: str, value: object, kind: str) -> float:
+    def quantity(self, path: str, value: object, dimension: str) -> float:
         """Return a quantity in SI."""
         try:
-            return quantity(value, kind)
-        except ValueError as error:
+            return quantity(value, dimension)
+        except UserError as error:
             self.fail(path, printable(str(error), 250))
 
-    def positive(self, path: str, value: object, kind: str, zero: bool = False) -> float:
+    def positive(self, path: str, value: object, dimension: str, zero: bool = False) -> float:
         """Return a quantity in SI that is above 0, or 0 where `zero` allows it."""
-        found = self.quantity(path, value, kind)
+        found = self.quantity(path, value, dimension)
         if found < 0 or (found == 0 and not zero):
             allowed = "0 or more" if zero else "more than 0"
             self.fail(path, f"must be {allowed}; {shown(value)} is not")
@@ -103,7 +104,7 @@ class Tables:
         if isinstance(value, str):
             try:
                 value = read_number(value)
-            except ValueError as error:
+            except UserError as error:
                 self.fail(path, f"must be a plain number; {error}")
         plain = isinstance(value, int | float) and not isinstance(value, bool)
         if not plain or not -1e100 < value < 1e100:  # type: ignore[operator]

@@ -10,6 +10,7 @@ import tomllib
 from typing import Any
 
 from .numbers import NUMBER, printable, read_number
+from .user_error import UserError
 
 __all__ = ["MOST_LEVELS", "TomlError", "read_toml"]
 
@@ -27,7 +28,7 @@ _PART = r'(?:[^\s.,=\[\]{}"]+|"")'
 _DOTTED = re.compile(rf'(?<![^\s.,=\[\]{{}}"]){_PART}(?:[ \t]*\.[ \t]*{_PART}){{{MOST_LEVELS}}}')
 
 
-class TomlError(ValueError):
+class TomlError(UserError):
     """An error in a text, with the number of its line."""
 
     def __init__(self, line: int, reason: str) -> None:
@@ -71,7 +72,7 @@ def _advice(line: str) -> str:
     if "," in value and re.fullmatch(NUMBER, value):
         try:
             return f"write a number with a point, {read_number(value):.10g}, not with a comma"
-        except ValueError as error:
+        except UserError as error:
             return f"a number has no comma: {error}"
     if re.fullmatch(rf"(?:{NUMBER})\s*[^\W\d_][^\"'\[\]{{}}]*", value):
         return f'a quantity is a text in quotes: "{value}"'

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rotorstab import ResonanceTable, System, bolotin_chart, critical_speeds, resonances
+from rotorstab import ResonanceTable, bolotin_chart, critical_speeds, resonances
 from rotorstab.charts import (
     Chart,
     GrowthGrid,
@@ -21,13 +21,14 @@ from rotorstab.charts import (
     load_frequency_chart,
 )
 
-from ..state import State
+from ..reading.user_error import UserError
+from ..state import State, Use, names_for
 from .caches import shared_cache
-from .curves import campbell, flutter, load_curves, reference_load, rotor_numbers, whirl_numbers
+from .curves import campbell, flutter, load_cases, load_curves, whirl_numbers
 from .floquet_answer import TABLE_FACTOR, FloquetAnswer, floquet_answer
 from .growth_maps import known_map
 from .limits import Detail
-from .model import Model, model_of
+from .operation import Operation, operation_of
 from .window import FloquetMap, Window
 
 __all__ = [
@@ -62,68 +63,65 @@ class Result:
     floquet: FloquetAnswer
 
 
-def _loads(inputs: Mapping[str, Any], system: System) -> tuple[float, float]:
+def _checked_loads(operation: Operation) -> tuple[float, float]:
     """Return the load that the load factors refer to, and the static load.
 
     Raises
     ------
-    ValueError
-        With words for the page, where the rotor has no such load or the exact law ends below it.
+    UserError
+        Where the rotor has no such load or the exact law ends below it.
     """
-    reference = reference_load(inputs["model"].rotor, inputs["reference"])
-    static = inputs["static_load_factor"] * reference
-    peak = static + TABLE_FACTOR * reference
-    if peak >= system.largest_load:
-        raise ValueError(
-            f"With the exact stiffness law the load must stay below p̄ = {system.largest_load:.4g}, "
+    largest = operation.system.largest_load
+    static = operation.static_load
+    peak = static + operation.pulsating_load(TABLE_FACTOR)
+    if peak >= largest:
+        raise UserError(
+            f"With the exact stiffness law the load must stay below p̄ = {largest:.4g}, "
             f"where a shaft clamped at both ends buckles. Here p̄₀ = {static:.4g}, and with "
             f"β_d = {TABLE_FACTOR:g} the load reaches {peak:.4g}: choose a smaller static load "
             "factor α_s."
         )
-    return reference, static
+    return operation.reference_load, static
 
 
 def _window(inputs: Mapping[str, Any]) -> Window:
     """Return the window of the growth map."""
-    model: Model = inputs["model"]
-    spin, tangency = inputs["spin_speed"], inputs["tangency"]
-    frequency = rotor_numbers(model.rotor)[1]
-    reference, static = _loads(inputs, model.system(spin, tangency))
+    operation: Operation = inputs["operation"]
+    _, static = _checked_loads(operation)
     return Window(
-        model,
-        spin,
-        tangency,
+        operation.model,
+        operation.spin_speed,
+        operation.tangency,
         static,
-        inputs["lowest_frequency"] * frequency,
-        inputs["highest_frequency"] * frequency,
-        inputs["largest_factor"] * reference,
+        operation.excitation_frequency(inputs["lowest_frequency"]),
+        operation.excitation_frequency(inputs["highest_frequency"]),
+        operation.pulsating_load(inputs["largest_factor"]),
     )
 
 
 @shared_cache(128)
 def _solve(items: tuple[tuple[str, Any], ...], detail: Detail) -> Result:
     inputs = dict(items)
-    model: Model = inputs["model"]
-    spin, tangency = inputs["spin_speed"], inputs["tangency"]
-    frequency = rotor_numbers(model.rotor)[1]
-    system = model.system(spin, tangency)
-    reference, static = _loads(inputs, system)
+    operation: Operation = inputs["operation"]
+    system = operation.system
+    reference, static = _checked_loads(operation)
     made = known_map(_window(inputs), detail)
-    table = resonances(system, static, TABLE_FACTOR * reference)
+    table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
     ends_at = (system.largest_load - static) / reference
+    curves = campbell(operation.model, operation.tangency, static)
     charts = (
-        _instability_chart(inputs, made, table, (reference, static), ends_at),
-        _load_frequency_chart(inputs, static),
-        campbell_chart(campbell(model, tangency, static), spin, critical_speeds(system, static)),
+        _instability_chart(inputs, made, table, ends_at),
+        _load_frequency_chart(operation, inputs["stiffness"]),
+        campbell_chart(curves, operation.spin_speed, critical_speeds(system, static)),
     )
     return Result(
         charts={chart.key: chart for chart in charts},
-        numbers=_key_numbers(inputs, system, reference, static),
+        numbers=_key_numbers(operation),
         floquet=floquet_answer(
             made,
             table,
             detail,
-            fundamental=frequency,
+            fundamental=operation.fundamental_frequency,
             reference=reference,
             frequency_range=_frequency_range(inputs),
             largest_factor=inputs["largest_factor"],
@@ -137,17 +135,12 @@ def _frequency_range(inputs: Mapping[str, Any]) -> tuple[float, float]:
 
 
 def _instability_chart(
-    inputs: Mapping[str, Any],
-    made: FloquetMap,
-    table: ResonanceTable,
-    loads: tuple[float, float],
-    ends_at: float,
+    inputs: Mapping[str, Any], made: FloquetMap, table: ResonanceTable, ends_at: float
 ) -> Chart:
-    model: Model = inputs["model"]
-    frequency = rotor_numbers(model.rotor)[1]
-    reference, static = loads
+    operation: Operation = inputs["operation"]
+    frequency, reference = operation.fundamental_frequency, operation.reference_load
     top = inputs["largest_factor"]
-    undamped = model.undamped().system(inputs["spin_speed"], inputs["tangency"])
+    largest = operation.pulsating_load(min(top, ends_at))
     grid = GrowthGrid(
         made.growth.growth,
         made.growth.unstable,
@@ -156,7 +149,7 @@ def _instability_chart(
         made.outlines,
     )
     return instability_chart(
-        bolotin_chart(undamped, static, min(top, ends_at) * reference, BOUNDARY_ROWS),
+        bolotin_chart(operation.undamped, operation.static_load, largest, BOUNDARY_ROWS),
         frequency,
         reference,
         _frequency_range(inputs),
@@ -166,61 +159,43 @@ def _instability_chart(
     )
 
 
-def _load_frequency_chart(inputs: Mapping[str, Any], static: float) -> Chart:
-    model: Model = inputs["model"]
-    spin = inputs["spin_speed"]
-    curves = load_curves(model, spin, inputs["tangency"], inputs["stiffness"])
+def _load_frequency_chart(operation: Operation, stiffness: str) -> Chart:
+    model, spin = operation.model, operation.spin_speed
+    curves = load_curves(model, spin, operation.tangency, stiffness)
+    cases = load_cases(model.kind, operation.tangency, stiffness)
     # the flutter load is that of the linear law, whatever law the curves are of
-    has_exact = any(name.endswith(" exact") for name in curves)
+    has_exact = any(case.law == "exact" for case in cases)
     limits = {
-        "buckling": rotor_numbers(model.rotor)[0],
+        "buckling": operation.buckling_load,
         "flutter, linear" if has_exact else "flutter": flutter(model.rotor, spin),
     }
-    return load_frequency_chart(curves, static, limits)
+    return load_frequency_chart(curves, operation.static_load, limits)
 
 
-def _key_numbers(
-    inputs: Mapping[str, Any], system: System, reference: float, static: float
-) -> dict[str, Any]:
+def _key_numbers(operation: Operation) -> dict[str, Any]:
     """Return the key numbers of the page, non-dimensional; `Result` says which."""
-    rotor = inputs["model"].rotor
-    buckling, frequency, _ = rotor_numbers(rotor)
-    flutter_load = flutter(rotor, inputs["spin_speed"])
+    rotor = operation.model.rotor
+    flutter_load = flutter(rotor, operation.spin_speed)
     return {
-        "buckling": buckling,
-        "fundamental": frequency,
+        "buckling": operation.buckling_load,
+        "fundamental": operation.fundamental_frequency,
         "flutter": flutter_load if np.isfinite(flutter_load) else None,
-        "static_load": static,
-        "reference": reference,
-        "whirl": whirl_numbers(system, static),
+        "static_load": operation.static_load,
+        "reference": operation.reference_load,
+        "whirl": whirl_numbers(operation.system, operation.static_load),
         # a rigid body has Ī_P ≤ 2 Ī_D
         "rigid": rotor.polar_inertia <= 2 * rotor.diametral_inertia * (1 + _ROUNDING),
     }
 
 
 def _drawn(state: State) -> dict[str, Any]:
-    """Return the inputs that the Explore page's results depend on."""
-    inputs = state.inputs()
-    drawn = {
-        name: inputs[name]
-        for name in (
-            "static_load_factor",
-            "spin_speed",
-            "reference",
-            "largest_factor",
-            "lowest_frequency",
-            "highest_frequency",
-            "stiffness",
-            "growth_unit",
-        )
-    }
-    drawn["tangency"] = state.effective_tangency()
-    drawn["model"] = model_of(state)
-    return drawn
+    """Return what the Explore page's results depend on."""
+    inputs = {name: getattr(state, name) for name in names_for(Use.PICTURE)}
+    return inputs | {"operation": operation_of(state)}
 
 
 def window_of(state: State) -> Window:
-    """Return the window of the state's growth map; ValueError as `solve`."""
+    """Return the window of the state's growth map; UserError as `solve`."""
     return _window(_drawn(state))
 
 
@@ -235,7 +210,7 @@ def solve(state: State, detail: Detail = Detail.REFINED) -> Result:
 
     Raises
     ------
-    ValueError
-        With words for the page, where these inputs have no answer.
+    UserError
+        Where these inputs have no answer.
     """
     return _solve(tuple(_drawn(state).items()), detail)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,6 +24,7 @@ from rotorstab._tolerances import CURVES_SHORT_OF_POLE, FLUTTER_IN_VIEW
 from rotorstab.model.stiffness import largest_exact_load
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
+from ..reading.user_error import UserError
 from ..state import State
 from .caches import shared_cache
 from .model import Model
@@ -31,11 +33,12 @@ __all__ = [
     "LARGEST_SPEED",
     "LOADS",
     "SPEEDS",
+    "LoadCase",
     "campbell",
     "curves_name",
     "flutter",
+    "load_cases",
     "load_curves",
-    "load_kinds",
     "reference_load",
     "rotor_numbers",
     "whirl_numbers",
@@ -58,15 +61,15 @@ def reference_load(rotor: ShaftDisk, reference: str) -> float:
 
     Raises
     ------
-    ValueError
-        With words for the page, where the rotor has no flutter load.
+    UserError
+        Where the rotor has no flutter load.
     """
     buckling, _, flutter_at_rest = rotor_numbers(rotor)
     if reference == "buckling":
         return buckling
     if not math.isfinite(flutter_at_rest):
         pole = float(largest_exact_load(rotor.shear))
-        raise ValueError(
+        raise UserError(
             f"This rotor has no flutter load below p̄ = {pole:.4g}, where a shaft clamped at both "
             "ends buckles and this model ends: let the load factors refer to static buckling."
         )
@@ -95,31 +98,64 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     return np.linspace(low, high, LOADS)
 
 
-def load_kinds(kind: str, tangency: float, stiffness: str) -> list[tuple[str, float, str]]:
-    """Return name, tangency and stiffness law of each set of load–frequency curves."""
-    shares = {"axial": 0.0, "follower": 1.0}
-    if tangency not in shares.values():
-        shares["partly"] = tangency
-    laws = tuple(STIFFNESS_LAWS) if stiffness == "both" else (stiffness,)
-    if kind != "lumped":
-        laws = ("linear",)  # the distributed shaft has no other
-    return [(curves_name(name, law), share, law) for law in laws for name, share in shares.items()]
-
-
 def curves_name(load: str, law: str) -> str:
     """Return the name of a set of load–frequency curves, which is also its key in `ROLES`."""
     return load if law == "linear" else f"{load} {law}"
+
+
+class LoadCase(NamedTuple):
+    """Of which load and stiffness law a set of load–frequency curves is.
+
+    Parameters
+    ----------
+    load_type : str
+        "axial", "follower" or "partly".
+    tangency : float
+        μ of this load.
+    law : str
+        "linear" or "exact".
+    """
+
+    load_type: str
+    tangency: float
+    law: str
+
+    @property
+    def name(self) -> str:
+        """The name of the curves, by which `ROLES` says how they are drawn."""
+        return curves_name(self.load_type, self.law)
+
+
+def load_cases(model: str, tangency: float, stiffness: str) -> list[LoadCase]:
+    """Return the load and the law of each set of load–frequency curves.
+
+    Parameters
+    ----------
+    model : str
+        "lumped" or "finite elements".
+    tangency : float
+        μ of the load.
+    stiffness : str
+        "linear", "exact" or "both".
+    """
+    tangencies = {"axial": 0.0, "follower": 1.0}
+    if tangency not in tangencies.values():
+        tangencies["partly"] = tangency
+    laws = tuple(STIFFNESS_LAWS) if stiffness == "both" else (stiffness,)
+    if model != "lumped":
+        laws = ("linear",)  # the distributed shaft has no other
+    return [LoadCase(load_type, mu, law) for law in laws for load_type, mu in tangencies.items()]
 
 
 @shared_cache(128)
 def load_curves(
     model: Model, spin_speed: float, tangency: float, stiffness: str
 ) -> dict[str, WhirlCurves]:
-    """Return whirl over steady load by the names of `load_kinds`."""
+    """Return whirl over steady load by the names of `load_cases`."""
     loads = _loads(model.rotor, spin_speed)
     return {
-        name: load_frequency_curves(model.system(spin_speed, share, law), loads)
-        for name, share, law in load_kinds(model.kind, tangency, stiffness)
+        case.name: load_frequency_curves(model.system(spin_speed, case.tangency, case.law), loads)
+        for case in load_cases(model.kind, tangency, stiffness)
     }
 
 

@@ -17,6 +17,7 @@ from rotorstab import (
 from rotorstab.charts import Chart, multiplier_chart, orbit_chart, response_chart
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 
+from ..reading.user_error import UserError
 from . import limits
 from .caches import shared_cache
 from .model import Model
@@ -48,7 +49,7 @@ class Point:
     excitation : float
         θ̄ [√(EI/(ρAL⁴))].
     initial : str
-        As the state names it, such as "knock" or "mode 1F".
+        As `initial_conditions` names it, such as "knock" or "mode:1F".
     seed : int
         Of the noise; 0 with any other start.
     periods : int
@@ -100,23 +101,23 @@ def solve_point(point: Point) -> PointAnswer:
 
     Raises
     ------
-    ValueError
-        With words for the page, where one period takes more work than the server has time for.
+    UserError
+        Where one period takes more work than the server has time for.
     """
     system = point.system()
     loads = point.static, point.pulsating
     fastest = _fastest(point.model, point.spin_speed, point.tangency, point.static)
     if fastest > limits.MOST_CYCLES * point.excitation:
-        raise ValueError(
+        raise UserError(
             f"The whirl makes {fastest / point.excitation:.0f} cycles in one period of this load, "
             f"more than can be followed ({limits.MOST_CYCLES}): move the marker to a higher θ/ωₙ."
         )
-    start = initial_conditions(system, point.static, point.initial.replace(" ", ":"), point.seed)
+    start = initial_conditions(system, point.static, point.initial, point.seed)
     steps = _most_steps(point.model, system, loads)
     floquet = floquet_solution(system, *loads, point.excitation, most_steps=steps)
     period = 2 * math.pi / point.excitation
     if not (floquet.converged or float(floquet.error) * period < _RATE_ERROR):
-        raise ValueError(_TOO_SLOW)
+        raise UserError(_TOO_SLOW)
     samples = int(np.clip(_SAMPLES_PER_CYCLE * fastest / point.excitation, *_SAMPLES))
     samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
     periods = max(1, min(point.periods, limits.MOST_SAMPLES // samples))
@@ -125,9 +126,9 @@ def solve_point(point: Point) -> PointAnswer:
             system, *loads, point.excitation, start, periods, samples, most_steps=steps
         )
     except ValueError:
-        raise ValueError(_TOO_SLOW) from None
+        raise UserError(_TOO_SLOW) from None
     if not response.error < _MOTION_ERROR:
-        raise ValueError(_TOO_SLOW)
+        raise UserError(_TOO_SLOW)
     charts = response_chart(response), multiplier_chart(floquet.multipliers), orbit_chart(response)
     return PointAnswer(response, floquet, samples, {chart.key: chart for chart in charts})
 

@@ -19,11 +19,16 @@ import param
 from rotorstab.rotors.materials import material_named
 
 from ..reading.numbers import TwoReadings, read_number
+from ..reading.user_error import UserError
+from .declaration import Use
+from .inputs import FACTS, names_for
 from .state import State
 
 __all__ = [
+    "KEYS",
     "MOST_PINS",
     "PINNED",
+    "PIN_KEYS",
     "VERSION",
     "PinnedInputs",
     "describe_problems",
@@ -34,47 +39,9 @@ __all__ = [
 ]
 
 VERSION = 1
-_KEYS = {
-    "load_type": "load",
-    "tangency": "mu",
-    "static_load_factor": "as",
-    "spin_speed": "spin",
-    "shear": "phi",
-    "disk_mass": "md",
-    "diametral_inertia": "id",
-    "polar_inertia": "ip",
-    "reference": "ref",
-    "largest_factor": "bmax",
-    "lowest_frequency": "fmin",
-    "highest_frequency": "fmax",
-    "stiffness": "stiff",
-    "external_damping": "ze",
-    "internal_damping": "zi",
-    "law": "law",
-    "model": "model",
-    "show_growth": "growth",
-    "show_bolotin": "bolotin",
-    "show_disagreement": "differ",
-    "growth_unit": "unit",
-    "marker": "at",
-    "marker_frequency": "f",
-    "marker_factor": "b",
-    "initial": "ic",
-    "seed": "seed",
-    "periods": "n",
-    "units": "u",
-    "shaft_length": "len",
-    "shaft_diameter": "dia",
-    "material": "mat",
-    "youngs_modulus": "e",
-    "shear_modulus": "g",
-    "density": "rho",
-    "shear_coefficient": "kappa",
-    "si_disk_mass": "simd",
-    "si_diametral_inertia": "siid",
-    "si_polar_inertia": "siip",
-}
-_NAMES = {key: name for name, key in _KEYS.items()}
+KEYS = {name: facts.key for name, facts in FACTS.items()}
+"""The key of each input in the address, by the name of the input."""
+_NAMES = {key: name for name, key in KEYS.items()}
 # keys that other programs add to links: they mean nothing here, and the user did not write them
 _TRACKING = re.compile(
     "(utm|mtm|pk|piwik|matomo|hsa|_hs|mc|ga|at|fb)_.*|_hsenc|_hsmi|_ga|_gl|fbclid|gclid|dclid|gclsrc"
@@ -86,12 +53,12 @@ _LONGEST = 40  # characters of one value; the longest that the page writes has 1
 _MOST_NAMED = 8  # problems in one sentence
 MOST_PINS = 3
 """Largest number of pins."""
-_PIN_KEYS = {f"p{number}": number for number in range(1, MOST_PINS + 1)}
+PIN_KEYS = {f"p{number}": number for number in range(1, MOST_PINS + 1)}
+"""The number of the pin of each key in the address that stands for a pin."""
 _LONGEST_PIN = 1000  # characters; enough for every input and a name
 _LONGEST_NAME = 24  # characters
-_NOT_PINNED = ("show_", "growth_unit", "marker", "initial", "seed", "periods", "units")
-PINNED = tuple(name for name in _KEYS if not name.startswith(_NOT_PINNED))
-"""The inputs that a pin keeps: those that move its curves and numbers."""
+PINNED = names_for(Use.PINNED)
+"""The inputs that a pin keeps."""
 
 
 @dataclass(frozen=True)
@@ -120,11 +87,11 @@ def _text(value: Any) -> str:
 
 def to_query(inputs: Mapping[str, Any], pins: Sequence[PinnedInputs] = ()) -> str:
     """Return every input and pin as a query: the version first, without the question mark."""
-    texts = {name: _text(inputs[name]) for name in _KEYS}
-    pairs = [("v", str(VERSION)), *((key, texts[name]) for name, key in _KEYS.items())]
+    texts = {name: _text(inputs[name]) for name in KEYS}
+    pairs = [("v", str(VERSION)), *((key, texts[name]) for name, key in KEYS.items())]
     for pin in pins:
         others = {name: _text(pin.inputs[name]) for name in PINNED}
-        moved = [f"{_KEYS[name]}_{text}" for name, text in others.items() if text != texts[name]]
+        moved = [f"{KEYS[name]}_{text}" for name, text in others.items() if text != texts[name]]
         pairs.append((f"p{pin.number}", f"{'~'.join(moved)}~~{pin.name}"))
     return urlencode(pairs)
 
@@ -134,7 +101,7 @@ def _value(name: str, text: str) -> Any:
 
     Raises
     ------
-    ValueError
+    TwoReadings
         If it is a number with two readings.
     """
     parameter = State.param[name]
@@ -145,7 +112,7 @@ def _value(name: str, text: str) -> Any:
             return read_number(text)
         except TwoReadings:
             raise
-        except ValueError:
+        except UserError:
             return text
     if name == "material":
         return material_named(text) or text.casefold()
@@ -175,17 +142,21 @@ def from_arguments(
     doubtful: list[str] = []
     for key, encoded in arguments.items():
         texts = _decoded(encoded)
-        if key in _PIN_KEYS or _is_tracking(str(key)):
+        if key in PIN_KEYS or _is_tracking(str(key)):
             continue
         if key == "v":
             if texts != [str(VERSION)]:
                 doubtful.append("v")
-        elif key not in _NAMES or len(texts) != 1 or len(texts[0]) > _LONGEST:
+        elif key not in _NAMES:
             doubtful.append(str(key)[:20])
+        elif len(texts) != 1:
+            doubtful.append(f"{key} (given more than once)")
+        elif len(texts[0]) > _LONGEST:
+            doubtful.append(f"{key} (too long)")
         else:
             try:
                 values[_NAMES[key]] = _value(_NAMES[key], texts[0])
-            except ValueError as error:
+            except TwoReadings as error:
                 doubtful.append(f"{key} ({error})")
     return values, doubtful
 
@@ -199,37 +170,37 @@ def pins_from_arguments(
     """
     pins: list[PinnedInputs] = []
     doubtful: list[str] = []
-    for key, number in _PIN_KEYS.items():
+    for key, number in PIN_KEYS.items():
         texts = _decoded(arguments.get(key, ()))
         if not texts:
             continue
         try:
             pins.append(_pin(number, texts, inputs))
-        except ValueError as error:
+        except UserError as error:
             doubtful.append(f"{key} ({error})")
     return pins, doubtful
 
 
 def _pin(number: int, texts: Sequence[str], inputs: Mapping[str, Any]) -> PinnedInputs:
     if len(texts) != 1:
-        raise ValueError("given more than once")
+        raise UserError("given more than once")
     if len(texts[0]) > _LONGEST_PIN:
-        raise ValueError("too long")
+        raise UserError("too long")
     moved, mark, name = texts[0].partition("~~")
     if not mark:
-        raise ValueError("not a pin")
+        raise UserError("not a pin")
     values = dict(inputs)
     for part in moved.split("~") if moved else ():
         key, _, text = part.partition("_")
         name_of = _NAMES.get(key)
         if name_of not in PINNED:
-            raise ValueError(f"no input {key[:20]!r}")
+            raise UserError(f"no input {key[:20]!r}")
         if not text or len(text) > _LONGEST:
-            raise ValueError(f"no value of {key}")
+            raise UserError(f"no value of {key}")
         values[name_of] = _value(name_of, text)
     state = State()
     for problem_of, problem in state.change(values).items():
-        raise ValueError(f"{_KEYS.get(problem_of, problem_of)} {problem}")
+        raise UserError(f"{KEYS.get(problem_of, problem_of)} {problem}")
     kept = state.inputs()
     return PinnedInputs(pin_name(name, number), number, {name: kept[name] for name in PINNED})
 
@@ -243,7 +214,7 @@ def pin_name(words: Any, number: int) -> str:
 
 def describe_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:
     """Return one sentence that names what of an address was ignored, or an empty text."""
-    named = [*doubtful, *(f"{_KEYS.get(name, name)} ({why})" for name, why in refused.items())]
+    named = [*doubtful, *(f"{KEYS.get(name, name)} ({why})" for name, why in refused.items())]
     if not named:
         return ""
     more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..reading.user_error import UserError
+from .inputs import SI_INPUTS, SYMBOLS
 from .rates import rpm
 from .rotor_tables import KEYS, RotorTables
-from .state import SI_INPUTS, SYMBOLS, State
+from .state import State
 
 __all__ = ["LARGEST_FILE", "read_rotor_file", "write_rotor_file"]
 
@@ -34,11 +36,11 @@ def read_rotor_file(text: str) -> tuple[dict[str, Any], list[str]]:
 
     Raises
     ------
-    ValueError
+    UserError
         With one line for the user.
     """
     if len(text.encode("utf-8", "surrogatepass")) > LARGEST_FILE:
-        raise ValueError(f"the file is larger than {LARGEST_FILE // 1000} kB")
+        raise UserError(f"the file is larger than {LARGEST_FILE // 1000} kB")
     reader = RotorTables(text)
     values = reader.values()
     left_out = []

@@ -11,6 +11,7 @@ from rotorstab import Scales, ShaftDisk
 from rotorstab.rotors.materials import MATERIALS, material_named, shear_coefficient
 
 from ..reading.tables import Tables, shown
+from ..reading.user_error import UserError
 from .state import State
 
 __all__ = ["KEYS", "RotorTables"]
@@ -81,7 +82,7 @@ class RotorTables(Tables):
             self.fail("disk", "cannot stand beside [nondimensional], which gives the disk")
         for name in () if self.is_plain else ("shaft", "disk"):
             if name not in self.tables:
-                raise ValueError(f"the file lacks [{name}] (or, without units, [nondimensional])")
+                raise UserError(f"the file lacks [{name}] (or, without units, [nondimensional])")
 
     def _rotor(
         self, shaft: Mapping[str, Any], disk: Mapping[str, float]
@@ -148,8 +149,8 @@ class RotorTables(Tables):
         if material is None:
             self.need("shaft", tuple(_OWN))
             found["material"] = "own"
-            for key, kind in _OWN.items():
-                found[key] = self.positive(f"shaft.{key}", table[key], kind)
+            for key, dimension in _OWN.items():
+                found[key] = self.positive(f"shaft.{key}", table[key], dimension)
         else:
             found["material"] = material
             found |= {key: getattr(MATERIALS[material], key) for key in _OWN}
@@ -201,8 +202,8 @@ class RotorTables(Tables):
                 self.fail(f"disk.{key}", "needs diameter and thickness beside it")
         self.need("disk", tuple(_INERTIAS))
         return {
-            key: self.positive(f"disk.{key}", table[key], kind, zero=key != "mass")
-            for key, kind in _INERTIAS.items()
+            key: self.positive(f"disk.{key}", table[key], dimension, zero=key != "mass")
+            for key, dimension in _INERTIAS.items()
         }
 
     def _solid_disk(self) -> dict[str, float]:
@@ -239,11 +240,11 @@ class RotorTables(Tables):
             path = f"operation.{key}"
             self.origins[key] = path
             if key == "load_type":
-                kind = value.strip().casefold() if isinstance(value, str) else ""
-                if kind not in State.param.load_type.objects:
+                load_type = value.strip().casefold() if isinstance(value, str) else ""
+                if load_type not in State.param.load_type.objects:
                     words = ", ".join(State.param.load_type.objects)
                     self.fail(path, f"must be one of {words}; {shown(value)} is not")
-                found[key] = kind
+                found[key] = load_type
             elif key == "spin_speed" and (units or _HAS_UNIT.search(str(value)[:99])):
                 if frequency is None:
                     self.fail(path, "must be a plain number Ω̄ where there is no [shaft]")

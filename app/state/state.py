@@ -17,16 +17,17 @@ import param
 from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from rotorstab.rotors.materials import MATERIALS
 
-from .inputs import SI_INPUTS, SYMBOLS, Inputs
+from ..reading.user_error import UserError
+from .declaration import Use
+from .inputs import NAMES, SI_INPUTS, Inputs, names_for
 from .rates import rpm
 
-__all__ = ["PRESETS", "SI_INPUTS", "SYMBOLS", "State"]
+__all__ = ["PRESETS", "State"]
 
 _TABLE_1, _TABLE_1_SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 _THOUSAND_RPM = 1000 / rpm(_TABLE_1_SCALES)
 _SHORTEST_RANGE = 0.4  # of θ/ωₙ
 _ROUNDING = 1e-9  # by which a range may be shorter: 0.6 − 0.2 is less than 0.4
-_MATERIAL_INPUTS = ("youngs_modulus", "shear_modulus", "density", "shear_coefficient")
 
 
 class State(Inputs):
@@ -34,7 +35,7 @@ class State(Inputs):
 
     def inputs(self) -> dict[str, Any]:
         """Return every input by name."""
-        return {name: getattr(self, name) for name in _NAMES}
+        return {name: getattr(self, name) for name in NAMES}
 
     def effective_tangency(self) -> float:
         """Return μ of the chosen load type."""
@@ -42,13 +43,13 @@ class State(Inputs):
 
     def reset(self) -> None:
         """Return every input to its default."""
-        self.param.update(**{name: State.param[name].default for name in _NAMES})
+        self.param.update(**{name: State.param[name].default for name in NAMES})
 
     def rotor(self) -> ShaftDisk:
         """Return the rotor of the present inputs; only finite elements use its slenderness."""
         # r of the base case in proportion to √Φ, as for a solid shaft of one material
         slenderness = BASE_CASE.slenderness * math.sqrt(self.shear / BASE_CASE.shear)
-        with suppress(ValueError):
+        with suppress(UserError):
             shaft = self.si_rotor()[0]
             if math.isclose(shaft.shear, self.shear):
                 slenderness = shaft.slenderness
@@ -80,13 +81,13 @@ class State(Inputs):
 
         Raises
         ------
-        ValueError
+        UserError
             If the shaft is too thick for its length.
         """
         try:
             return ShaftDisk.from_si(**self.si_data())
         except ValueError:
-            raise ValueError("this shaft is too thick for its length") from None
+            raise UserError("this shaft is too thick for its length") from None
 
     def scales(self) -> Scales:
         """Return one unit of each quantity of the charts in SI."""
@@ -96,7 +97,7 @@ class State(Inputs):
         """Whether Φ, M̄_D, Ī_D and Ī_P are those of the SI data."""
         try:
             rotor = _rotor_values(self.si_rotor()[0])
-        except ValueError:
+        except UserError:
             return False
         return all(math.isclose(value, getattr(self, name)) for name, value in rotor.items())
 
@@ -104,7 +105,7 @@ class State(Inputs):
         """Set Φ, M̄_D, Ī_D and Ī_P from the SI data: all of them or, out of range, none."""
         try:
             values = _rotor_values(self.si_rotor()[0])
-        except ValueError as error:
+        except UserError as error:
             return {"shaft_diameter": str(error)}
         problems = {name: _problem(name, value) for name, value in values.items()}
         errors = {
@@ -140,7 +141,7 @@ class State(Inputs):
         if "tangency" in good:
             # whoever moves this slider wants a partly follower load
             good.setdefault("load_type", "partly")
-        if any(name in good for name in _MATERIAL_INPUTS):
+        if any(name in good for name in names_for(Use.MATERIAL)):
             good.setdefault("material", "own")
         self.param.update(**good)
         return errors
@@ -150,9 +151,6 @@ class State(Inputs):
         if not isinstance(name, str) or name not in PRESETS:
             return {"preset": f"no preset named {_short(name)!r}"}
         return self.change(PRESETS[name])
-
-
-_NAMES = tuple(name for name in State.param if name != "name")
 
 
 def _short(name: Any) -> str:
@@ -172,7 +170,7 @@ def _plain(name: str, value: Any) -> Any:
 
 def _problem(name: Any, value: Any) -> str:
     """Return what is wrong with a value, or an empty text."""
-    if not isinstance(name, str) or name not in _NAMES:
+    if not isinstance(name, str) or name not in NAMES:
         return "unknown parameter"
     parameter = State.param[name]
     if isinstance(parameter, param.Boolean):
@@ -200,19 +198,7 @@ def _rotor_values(rotor: ShaftDisk, **others: Any) -> dict[str, Any]:
     }
 
 
-_START = {
-    name: State.param[name].default
-    for name in (
-        "load_type",
-        "static_load_factor",
-        "spin_speed",
-        "reference",
-        "external_damping",
-        "internal_damping",
-        "law",
-        "model",
-    )
-}
+_START = {name: State.param[name].default for name in names_for(Use.PRESET)}
 
 _TABLE_1_SHAFT = {name: State.param[name].default for name in SI_INPUTS}
 

@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 
-from rotorstab._tolerances import OUTSIDE_UNIT_CIRCLE
+from rotorstab import FloquetSolution, is_unstable
 from rotorstab.charts import written
-from rotorstab.floquet.point import FloquetSolution
 
 from ..results.analysis import Result
 from ..results.growth import Motion, motion_of
@@ -19,7 +18,7 @@ from .units import Units
 
 __all__ = ["describe"]
 
-_VERDICTS = {
+_FLOQUET_WORDS = {
     Motion.GROWS: "unstable",
     Motion.DECAYS: "stable: it decays",
     Motion.NEITHER: "stable",
@@ -49,7 +48,7 @@ def describe(
     period = 2 * math.pi / (state.marker_frequency * frequency)
     motion = motion_of(floquet)
     region = "inside a Bolotin region" if bolotin else "outside every Bolotin region"
-    facts = [["Floquet", _VERDICTS[motion]], ["Bolotin", region]]
+    facts = [["Floquet", _FLOQUET_WORDS[motion]], ["Bolotin", region]]
     pace_facts, pace = _pace(motion, float(floquet.growth_rate), period, units)
     facts += pace_facts
     if units.scales is not None:
@@ -57,7 +56,7 @@ def describe(
     sentence = (
         f"At {units.excitation(state.marker_frequency)} and {units.factor(state.marker_factor)} "
         f"the rotor is {'unstable' if motion is Motion.GROWS else 'stable'} (Floquet: {pace}); "
-        f"{_multipliers(floquet)}. "
+        f"{_multipliers(floquet, period)}. "
     )
     if result.floquet.table.mean_is_unstable:
         sentence += (
@@ -89,9 +88,10 @@ def _pace(motion: Motion, growth: float, period: float, units: Units) -> tuple[l
     return facts, f"the motion {name.lower()} {pace}"
 
 
-def _multipliers(floquet: FloquetSolution) -> str:
+def _multipliers(floquet: FloquetSolution, period: float) -> str:
     """Return how many multipliers lie outside the unit circle, in words."""
-    outside = int((np.abs(floquet.multipliers) > 1 + OUTSIDE_UNIT_CIRCLE).sum())
+    rates = np.log(np.abs(floquet.multipliers)) / period
+    outside = int(is_unstable(rates, floquet.error).sum())
     verb = "multipliers lie" if outside > 1 else "multiplier lies"
     return f"{outside or 'no'} {verb} outside the unit circle"
 
@@ -129,6 +129,6 @@ def _near(state: State, pair: Pair, result: Result, units: Units) -> tuple[list[
     )
     tongue = nearest_resonance(result.floquet.table.tongues, state.marker_frequency * frequency)
     if tongue is not None and not math.isfinite(threshold):
-        place = units.place(tongue.centre / frequency).removeprefix("θ/ωₙ = ")
+        place = units.bare_excitation(tongue.centre / frequency)
         words += f"; the nearest tongue is {tongue.name} at {place}"
     return facts, f"{words}."

@@ -6,6 +6,8 @@ import logging
 
 from rotorstab.model.stiffness import PastPole
 
+from ..reading.user_error import UserError
+
 __all__ = ["FAILED", "user_message"]
 
 _LOG = logging.getLogger("rotorstab.app")
@@ -19,13 +21,12 @@ _PAST_POLE = (
 def user_message(error: ValueError) -> str:
     """Return the message of an error for a user.
 
-    A sentence of the app is returned as it is. A message of the solver, which names an argument in
-    `backticks`, goes to the log, and the user reads `FAILED`.
+    That of a `UserError` is returned as it is. That of another error, which names an argument or
+    advises a programmer, goes to the log, and the user reads `FAILED`.
     """
-    text = str(error)
+    if isinstance(error, UserError):
+        return str(error)
     if isinstance(error, PastPole):
         return _PAST_POLE
-    if "`" not in text and "set_int_max_str_digits" not in text:
-        return text
-    _LOG.warning("the solver has no answer: %.300s", text)
+    _LOG.warning("the solver has no answer: %.300s", error)
     return FAILED

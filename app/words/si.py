@@ -8,8 +8,10 @@ from typing import Any
 from rotorstab import Scales
 from rotorstab.charts import LOAD_UNITS, Chart, chart_factors, in_si, load_unit, written
 
+from ..reading.user_error import UserError
 from ..state import SI_INPUTS, SYMBOLS, State
 from ..state.rates import hertz, rpm
+from .typography import with_unit
 
 __all__ = [
     "chart_in_si",
@@ -56,7 +58,7 @@ def load_in(scales: Scales, unit: str | None = None) -> tuple[float, str]:
 def load_words(load: float, scales: Scales) -> str:
     """Return a load p̄ with its unit, such as 4596 N or 1.532 MN."""
     factor, unit = load_in(scales)
-    return f"{written(load * factor)} {unit}"
+    return with_unit(written(load * factor), unit)
 
 
 def quantities_in_si(scales: Scales) -> dict[str, tuple[float, str]]:
@@ -96,13 +98,13 @@ def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -
     scales = state.scales()
     fundamental = numbers["fundamental"] * hertz(scales)
     hints = {
-        name: f"{written(getattr(state, name) * factor)} {unit}"
+        name: with_unit(written(getattr(state, name) * factor), unit)
         for name, (factor, unit) in quantities_in_si(scales).items()
     }
     for name in ("static_load_factor", "largest_factor", "marker_factor"):
         hints[name] = load_words(getattr(state, name) * numbers["reference"], scales)
     for name in ("lowest_frequency", "highest_frequency", "marker_frequency"):
-        hints[name] = f"{written(getattr(state, name) * fundamental)} Hz"
+        hints[name] = with_unit(written(getattr(state, name) * fundamental), "Hz")
     factors = {
         key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
         for key in keys
@@ -119,7 +121,7 @@ def shaft_words(state: State) -> dict[str, Any]:
     """Return Φ, M̄_D, Ī_D and Ī_P of the SI data in words, and whether the charts show them."""
     try:
         rotor, _ = state.si_rotor()
-    except ValueError as error:
+    except UserError as error:
         return {"words": str(error), "in_use": False, "good": False}
     quantities = [
         f"{SYMBOLS[name]} = {written(getattr(rotor, name), 5)}"

@@ -9,6 +9,7 @@ from rotorstab.charts import written
 
 from ..state.rates import hertz
 from .si import load_words
+from .typography import with_unit
 
 __all__ = ["Units"]
 
@@ -31,14 +32,17 @@ class Units:
 
     def excitation(self, ratio: float) -> str:
         """Return θ/ωₙ, or θ/2π in Hz."""
-        if self.scales is None:
-            return f"θ/ωₙ = {ratio:.3f}"
-        return f"θ/2π = {self.place(ratio)}"
+        symbol = "θ/ωₙ" if self.scales is None else "θ/2π"
+        return f"{symbol} = {self.bare_excitation(ratio)}"
 
     def place(self, ratio: float) -> str:
         """Return the same without its symbol where the unit is enough."""
+        return self.excitation(ratio) if self.scales is None else self.bare_excitation(ratio)
+
+    def bare_excitation(self, ratio: float) -> str:
+        """Return the same without its symbol, for a reader who has just read it."""
         return (
-            self.excitation(ratio) if self.scales is None else f"{written(self._hertz(ratio))} Hz"
+            f"{ratio:.3f}" if self.scales is None else with_unit(written(self._hertz(ratio)), "Hz")
         )
 
     def width(self, ratio: float) -> str:
@@ -50,7 +54,7 @@ class Units:
         if self.scales is None:
             return f"{ratio:+.3f}".replace("-", "−")
         hertz = self._hertz(ratio)
-        return f"{'+' if hertz >= 0 else ''}{written(hertz, 3)} Hz"
+        return with_unit(f"{'+' if hertz >= 0 else ''}{written(hertz, 3)}", "Hz")
 
     def factor(self, value: float, digits: str = ".3f") -> str:
         """Return β_d, with its load where that has a unit."""
@@ -63,7 +67,7 @@ class Units:
         """Return the name and the value of a growth rate."""
         if self.scales is None:
             return "Growth rate σ̄", written(growth)
-        return "Growth rate σ", f"{written(growth * self.scales.frequency)} 1/s"
+        return "Growth rate σ", with_unit(written(growth * self.scales.frequency), "1/s")
 
     def rate_words(self, growth: float) -> str:
         """Return a growth rate as part of a sentence."""
@@ -80,7 +84,7 @@ class Units:
         """Return a time."""
         if self.scales is None:
             return f"t̄ = {written(value)}"
-        return f"{written(value / self.scales.frequency)} s"
+        return with_unit(written(value / self.scales.frequency), "s")
 
     def _hertz(self, ratio: float) -> float:
         assert self.scales is not None

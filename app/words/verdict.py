@@ -9,6 +9,7 @@ from rotorstab.floquet.first_order import FirstOrderRegion, first_order_regions
 
 from ..results.floquet_answer import TABLE_FACTOR, FloquetAnswer
 from ..results.limits import Detail
+from .typography import with_unit
 from .units import Units
 
 __all__ = ["blank_parts", "percent", "smallest_load", "verdict"]
@@ -25,8 +26,8 @@ def percent(share: float, *, none: bool = True) -> str:
     if share == 0 and none:
         return "nothing"
     if share < 0.001:
-        return "under 0.1 %"
-    return f"{100 * share:.0f} %" if share >= 0.1 else f"{100 * share:.2g} %"
+        return f"under {with_unit('0.1', '%')}"
+    return with_unit(f"{100 * share:{'.0f' if share >= 0.1 else '.2g'}}", "%")
 
 
 def _region(region: FirstOrderRegion, units: Units) -> str:

@@ -20,7 +20,7 @@ from tornado.websocket import websocket_connect
 
 PATIENCE = 60  # s until a user gives up; nothing is measured by it
 REST = 0.08  # s at rest after which controls.js asks for the full picture
-_TOKEN = re.compile(r'"token":"([^"]+)"')
+TOKEN = re.compile(r'"token":"([^"]+)"')
 _PROTOCOL = Protocol()
 
 # one client would wait for the other's connection
@@ -82,7 +82,7 @@ class User:
         start = time.perf_counter()
         page = await self.get()
         self.seconds["page"] = time.perf_counter() - start
-        await self.connect(_TOKEN.search(page)[1])
+        await self.connect(TOKEN.search(page)[1])
         self.seconds["socket"] = time.perf_counter() - start
         await self.ask(type="hello")
         self.seconds["data"] = time.perf_counter() - start
@@ -262,6 +262,11 @@ class User:
             return await asyncio.wait_for(future, PATIENCE)
         finally:
             self._later.remove(entry)
+
+    @property
+    def close_code(self):
+        """The code with which the socket was closed; None while it is open."""
+        return self._socket.close_code
 
     async def close(self):
         """Leave as a browser does: close the socket and wait for the server's part."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from bokeh.protocol.messages.patch_doc import patch_doc
 
-from benchmarks.classroom.client import _TOKEN, PATIENCE, Lost, User
+from benchmarks.classroom.client import PATIENCE, TOKEN, Lost, User
 from benchmarks.classroom.moving import Moves
 from benchmarks.redraw.moves import SLIDERS, values
 from tests.testing.serving import Server
@@ -44,7 +44,7 @@ class FloorUser(User):
 
     async def open(self):
         """Open the page and its socket."""
-        await self.connect(_TOKEN.search(await self.get())[1])
+        await self.connect(TOKEN.search(await self.get())[1])
 
     def _find(self, roots):
         self._sliders = {

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 import rotorstab as rs
 from app.live.controls import GROUPS, Controls
 from app.pages import PAGES, explore
+from app.reading.user_error import UserError
 from app.results.analysis import CHARTS, solve
 from app.results.caches import cache_infos
 from app.results.limits import Detail
@@ -363,10 +364,10 @@ def test_the_component_answers_mappings_with_their_number_and_ignores_the_rest(
 ):
     sent = []
     controls = Controls(lambda message: {"values": {}})
-    monkeypatch.setattr(controls, "_send_msg", sent.append)
+    monkeypatch.setattr(controls, "send", sent.append)
     if isinstance(data, dict):
         data = data | {"seq": seq}
-    controls._handle_msg(data)
+    controls.receive(data)
     if isinstance(data, dict):
         ((answer),) = sent
         assert answer["seq"] == (seq if isinstance(seq, int) else 0)
@@ -379,7 +380,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
     before = picture(session)
 
     def no_answer(state, detail=Detail.REFINED):
-        raise ValueError("this rotor has no such load")
+        raise UserError("this rotor has no such load")
 
     monkeypatch.setattr(explore, "solve", no_answer)
     answer = change(session, shear=0.04)

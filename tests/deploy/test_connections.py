@@ -69,7 +69,6 @@ def is_closed(connection):
 def test_a_system_without_descriptors_is_waited_for_and_named_once(monkeypatch, caplog):
     """Accepting pauses instead of failing in every turn of the loop."""
     monkeypatch.setattr(connections, "PAUSE", 0.05)
-    monkeypatch.setattr(connections, "most_connections", 5)
     taken = []
 
     class Listener(socket.socket):
@@ -86,7 +85,7 @@ def test_a_system_without_descriptors_is_waited_for_and_named_once(monkeypatch, 
         listener.bind(("127.0.0.1", 0))
         listener.listen()
         listener.setblocking(False)
-        remove = connections.add_accept_handler(listener, lambda *one: taken.append(one))
+        remove = connections.add_accept_handler(listener, lambda *one: taken.append(one), most=5)
         with socket.create_connection(listener.getsockname()), listener:
             for _ in range(200):
                 await asyncio.sleep(0.01)

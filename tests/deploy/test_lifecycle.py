@@ -282,7 +282,7 @@ def test_a_running_export_is_finished_before_the_end(real):
         assert base64.b64decode(content["file"]["base64"]).startswith(b"%PDF")
         while user.connected:
             await asyncio.sleep(0.05)
-        assert user._socket.close_code == 1001
+        assert user.close_code == 1001
         await user.close()
 
     run(lesson())

@@ -1,12 +1,11 @@
 """What Floquet upholds of the paper's five conclusions, against numbers made in another way.
 
 Roots are sums and differences of whirl frequencies, growth and edges are growth rates at single
-points, areas are those of a map; the values of separate codes stand in `published`. The product
-takes them from its table of resonances and from outlines.
+points, areas and some values are those of separate programs. The product takes them from its table
+of resonances and from outlines.
 """
 
 import re
-from functools import cache
 
 import numpy as np
 import pytest
@@ -19,7 +18,6 @@ from rotorstab import (
     fundamental_frequency,
     growth_rate,
     lumped,
-    stability_chart,
     whirl_frequencies,
 )
 from rotorstab.paper import CONCLUSIONS
@@ -62,14 +60,14 @@ def peak(spin, tangency=0.0, factor=0.5, rotor=BASE_CASE, pair="1B+1F"):
     return float(rates(spin, tangency, factor, 0.05, theta, rotor).max() / 0.05)
 
 
-@cache
-def unstable_share(spin, tangency):
-    """Return the unstable share of θ/ω_n 0.2 to 8, β_d 0 to 1, at α_s = 0.5, from a map."""
-    theta = (0.2 + (np.arange(300) + 0.5) / 300 * 7.8) * FREQUENCY
-    loads = (np.arange(60) + 0.5) / 60 * BUCKLING
-    system = lumped(BASE_CASE, spin, tangency)
-    chart = stability_chart(system, 0.5 * BUCKLING, loads, theta, seed=False)
-    return float(chart.unstable.mean())
+# Unstable share of θ/ω_n 0.2 to 8, β_d 0 to 1, at α_s = 0.5, by spin speed 0, 1, 2 and tangency.
+# A separate program integrated the equations of motion over one period with the classical
+# Runge–Kutta method, at least 40 steps in each cycle of the fastest whirl, at the centres of
+# 200 × 40 pixels, and counted those with a multiplier beyond 1.0001.
+UNSTABLE_SHARES = {
+    0.0: (0.1510, 0.1335, 0.1130),
+    1.0: (0.1085, 0.0986, 0.0820),
+}
 
 
 @pytest.mark.parametrize(
@@ -147,11 +145,11 @@ def test_b_the_spin_narrows_the_tongue_and_widens_the_bolotin_region():
 def test_b_and_e_less_of_the_window_is_unstable_with_spin_and_under_a_follower_load():
     (words,) = re.findall(r"β_d = 1, ([\d., %]+) is unstable", ours("b"))
     stated = [float(number) / 100 for number in re.findall(r"[\d.]+", words)]
-    assert stated == pytest.approx([unstable_share(spin, 0.0) for spin in SPINS], abs=5e-3)
+    assert stated == pytest.approx(list(UNSTABLE_SHARES[0.0]), abs=5e-3)
     assert stated == sorted(stated, reverse=True)
     shares = np.reshape(after("e", "θ/ω_n = 8, β_d = 1, "), (3, 2))
-    direct = [[unstable_share(spin, tangency) for tangency in (0.0, 1.0)] for spin in SPINS]
-    np.testing.assert_allclose(shares, direct, atol=5e-3)
+    separate = np.transpose([UNSTABLE_SHARES[tangency] for tangency in (0.0, 1.0)])
+    np.testing.assert_allclose(shares, separate, atol=5e-3)
     assert (shares[:, 0] > shares[:, 1]).all()
 
 

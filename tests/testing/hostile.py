@@ -6,7 +6,7 @@ from urllib.parse import quote
 
 from app.lessons import library
 from app.state import PRESETS, State
-from app.state.address import _KEYS, _PIN_KEYS, PINNED
+from app.state.address import KEYS, PIN_KEYS, PINNED
 from tests.testing.wire import changed, custom
 
 NAMES = [name for name in State.param if name != "name"]
@@ -152,7 +152,7 @@ def pin(rng):
             text = str(one)[: rng.choice([20, 100])]
         except ValueError:
             text = "9" * 5000
-        parts.append(f"{_KEYS[name] if rng.random() < 0.9 else 'x'}_{text}")
+        parts.append(f"{KEYS[name] if rng.random() < 0.9 else 'x'}_{text}")
     name = rng.choice([*TEXTS, "slow", "a" * 2000])
     return "~".join(parts) + rng.choice(["~~", "~~", "~~", "~", ""]) + name
 
@@ -161,14 +161,14 @@ def query(rng):
     """A query of known and unknown keys, with pins."""
     pairs = []
     for _ in range(rng.randrange(1, 12)):
-        key = rng.choice([*_KEYS.values(), "v", "x", "bokeh-session-id"])
+        key = rng.choice([*KEYS.values(), "v", "x", "bokeh-session-id"])
         one = near(rng, rng.choice(NAMES)) if rng.random() < 0.4 else value(rng)
         try:
             text = str(one)[: rng.choice([20, 5000])]
         except ValueError:  # an integer of thousands of digits
             text = "9" * 5000
         pairs.append(f"{key}={quote(text, errors='replace')}")
-    for key in rng.sample([*_PIN_KEYS, "p0", "p4"], rng.randrange(4)):
+    for key in rng.sample([*PIN_KEYS, "p0", "p4"], rng.randrange(4)):
         pairs += [f"{key}={quote(pin(rng), errors='replace')}"] * rng.choice([1, 1, 1, 2])
     return "&".join(pairs)
 

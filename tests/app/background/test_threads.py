@@ -23,9 +23,9 @@ def test_one_thread_at_a_time_works_for_the_pages(monkeypatch):
 
     def talk():
         controls = Controls(respond)
-        monkeypatch.setattr(controls, "_send_msg", lambda answer: None)
+        monkeypatch.setattr(controls, "send", lambda answer: None)
         for _ in range(4):
-            controls._handle_msg({"seq": 1})
+            controls.receive({"seq": 1})
 
     threads = [threading.Thread(target=talk) for _ in range(6)]
     for one in threads:

@@ -13,6 +13,7 @@ from app.background.printing import Printer, gather
 from app.exports import files
 from app.exports.files import MOST_FILES, Files, export, making, report
 from app.pages.paper import Paper
+from app.reading.user_error import UserError
 from app.results import comparisons, growth_maps
 from app.results.analysis import solve, window_of
 from app.results.comparisons import paper_figure
@@ -242,7 +243,7 @@ def test_the_user_hears_of_a_printer_that_does_not_start(own, session, monkeypat
 @pytest.mark.parametrize("kind", ["export", "report"])
 def test_the_user_hears_that_a_state_has_no_answer(session, monkeypatch, kind):
     def no_answer(*_, **__):
-        raise ValueError("this rotor has no such load")
+        raise UserError("this rotor has no such load")
 
     session.respond({"type": "reset"})
     monkeypatch.setattr(files, "solve", no_answer)

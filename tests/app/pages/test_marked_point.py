@@ -9,6 +9,7 @@ import pytest
 
 from app.pages.animation import mean_angular_speed
 from app.pages.marked_point import INSPECTOR_CHARTS, inspect
+from app.reading.user_error import UserError
 from app.results.analysis import CHARTS, solve
 from app.results.limits import Detail
 from app.session import Session
@@ -178,7 +179,7 @@ def test_corners_answer_and_stay_small(session, corner):
 
 def test_a_point_without_an_answer_leaves_the_charts(session, monkeypatch):
     def refuse(*_):
-        raise ValueError("no answer here")
+        raise UserError("no answer here")
 
     monkeypatch.setattr("app.pages.explore.inspect", refuse)
     answer = change(session, **UNSTABLE)

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.reading.user_error import UserError
 from app.session import Session
 from app.state.address import (
     MOST_PINS,
@@ -250,7 +251,7 @@ def test_a_session_names_a_pin_without_an_answer_and_keeps_the_rest(monkeypatch,
 
     def some(one):
         if one.number == 1:
-            raise ValueError("this rotor has no flutter load")
+            raise UserError("this rotor has no flutter load")
         if one.number == 2:
             raise RuntimeError("a detail of the inside")
         return real(one)
@@ -307,4 +308,19 @@ def test_keys_that_other_programs_add_are_ignored_without_a_notice():
     # none of them is a key of ours
     ours = parse_qs(to_query(State().inputs()), keep_blank_values=True)
     _, doubtful = from_arguments({key: ["x", "y"] for key in ours})
-    assert sorted(doubtful) == sorted(ours)
+    repeated = [word.removesuffix(" (given more than once)") for word in doubtful]
+    assert sorted(repeated) == sorted(ours)
+
+
+@pytest.mark.parametrize(
+    ("query", "words"),
+    [
+        ("spin=2&spin=3", "spin (given more than once)"),
+        (f"spin={'1' * 41}", "spin (too long)"),
+        ("v=1&v=2", "v"),
+    ],
+)
+def test_a_value_that_cannot_be_taken_is_named_with_the_reason(query, words):
+    inputs, _, sentence = reopened(arguments(query))
+    assert inputs == State().inputs()
+    assert sentence == f"Ignored in the address: {words}."

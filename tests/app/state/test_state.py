@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.state.state import PRESETS, SYMBOLS, State
+from app.state import PRESETS, SYMBOLS, State
 from rotorstab import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, ShaftDisk
 
 NAMES = tuple(State().inputs())

@@ -140,15 +140,17 @@ def test_the_verdict_names_tongues_in_hertz_and_loads_in_newtons(result):
         if low <= one.centre / result.numbers["fundamental"] <= high
     ]
     assert inside
-    assert numbers_of(words, r"at ([\d.]+) Hz") == pytest.approx(inside[:6], rel=1e-3)
+    assert numbers_of(words, r"at ([\d.]+)\u00a0Hz") == pytest.approx(inside[:6], rel=1e-3)
     load = 0.1 * result.numbers["reference"] * SCALES.load
-    assert numbers_of(words, r"β_d = 0.1 \(P_t = ([\d.]+) N\)") == pytest.approx([load], rel=1e-3)
+    assert numbers_of(words, r"β_d = 0.1 \(P_t = ([\d.]+)\u00a0N\)") == pytest.approx(
+        [load], rel=1e-3
+    )
 
 
 def test_the_verdict_gives_thresholds_and_growth_in_si():
     damped = table_1(Detail.COARSE, external_damping=0.02).floquet
     first = min(damped.table, key=lambda row: row.threshold)
-    found = numbers_of(verdict(damped, SCALES), r"up to β_d = [\d.]+ \(P_t = ([\d.]+) N\)")
+    found = numbers_of(verdict(damped, SCALES), r"up to β_d = [\d.]+ \(P_t = ([\d.]+)\u00a0N\)")
     assert found == pytest.approx([first.threshold * SCALES.load], rel=1e-3)
     whirling = table_1(Detail.COARSE, internal_damping=0.2, spin_speed=4.0).floquet
     assert whirling.table.mean_growth > 0
@@ -172,21 +174,21 @@ def test_a_point_is_told_in_hertz_newtons_and_seconds(extra):
     texts = [si.sentence, *facts, *facts.values(), si.charts["response"].x_label]
     assert not [text for text in texts if "\u0304" in text or "θ/ωₙ" in text]
     excitation = state.marker_frequency * result.numbers["fundamental"]
-    assert numbers_of(si.sentence, r"At θ/2π = ([\d.]+) Hz") == pytest.approx(
+    assert numbers_of(si.sentence, r"At θ/2π = ([\d.]+)\u00a0Hz") == pytest.approx(
         [excitation * HERTZ], rel=1e-3
     )
     load = state.marker_factor * result.numbers["reference"] * SCALES.load
-    assert numbers_of(si.sentence, r"P_t = ([\d.]+) N")[0] == pytest.approx(load, rel=1e-3)
-    period = numbers_of(facts["Period T of the load"], r"([\d.]+) s")
+    assert numbers_of(si.sentence, r"P_t = ([\d.]+)\u00a0N")[0] == pytest.approx(load, rel=1e-3)
+    period = numbers_of(facts["Period T of the load"], r"([\d.]+)\u00a0s")
     assert period == pytest.approx([1 / (excitation * HERTZ)], rel=1e-3)
     for name, factor, unit in (("Doubles in", 1, "s"), ("Halves in", 1, "s")):
         if "periods" in old.get(name, ""):
             (count,) = numbers_of(facts[name], r"([\d.e+-]+) periods")
-            assert numbers_of(facts[name], rf"\(([\d.]+) {unit}\)") == pytest.approx(
+            assert numbers_of(facts[name], rf"\(([\d.]+)\u00a0{unit}\)") == pytest.approx(
                 [factor * count * period[0]], rel=6e-3
             )
     if "1/s" in facts["Growth rate σ"]:
-        (growth,) = numbers_of(facts["Growth rate σ"], r"([−\d.e]+) 1/s")
+        (growth,) = numbers_of(facts["Growth rate σ"], r"([−\d.e]+)\u00a01/s")
         (before,) = numbers_of(old["Growth rate σ̄"], r"([−\d.e]+)")
         assert growth == pytest.approx(before * SCALES.frequency, rel=1e-3)
     # the same motion, over seconds
@@ -199,7 +201,7 @@ def test_a_point_is_told_in_hertz_newtons_and_seconds(extra):
 
 
 def test_units_of_a_difference_keep_its_sign():
-    assert Units(1.5, 1.0, SCALES).offset(-0.1) == f"−{0.15 * HERTZ:.3g} Hz"
+    assert Units(1.5, 1.0, SCALES).offset(-0.1) == f"−{0.15 * HERTZ:.3g}\u00a0Hz"
     assert Units(1.5, 1.0, None).offset(-0.1) == "−0.100"
 
 

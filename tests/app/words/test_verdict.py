@@ -95,7 +95,7 @@ def test_growth_too_strong_for_the_map_is_named():
 
 def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
     thin = {"spin_speed": 1, "lowest_frequency": 5, "highest_frequency": 7, "largest_factor": 0.05}
-    for damping, words in ((0.0, "under 0.1 %"), (0.01, "nothing")):
+    for damping, words in ((0.0, "under 0.1\u00a0%"), (0.01, "nothing")):
         for detail in (Detail.FULL, Detail.REFINED):
             answer = solved(thin | {"external_damping": damping}, detail)[1].floquet
             assert answer.unstable_share == 0

@@ -5,6 +5,7 @@ import pytest
 
 from app.lessons.format import parse
 from app.lessons.grading import grade
+from app.reading.user_error import UserError
 from app.session import Session
 from app.state import State
 from app.words.refusals import FAILED, user_message
@@ -59,7 +60,7 @@ def test_no_argument_s_name_and_no_advice_of_python_comes_through(caplog):
     assert words[2:] == [FAILED] * 4
     assert "`tangency` must be in [0, 1], got 7" in caplog.text  # for whoever runs the server
     assert (
-        user_message(ValueError("This rotor has no flutter load."))
+        user_message(UserError("This rotor has no flutter load."))
         == "This rotor has no flutter load."
     )
 

@@ -1,0 +1,64 @@
+"""The inputs of the marked point: where it lies, and how its motion starts."""
+
+from __future__ import annotations
+
+import param
+
+from .declaration import Boolean, Facts, Number, Selector
+
+__all__ = ["INITIAL_CONDITIONS", "PointInputs"]
+
+INITIAL_CONDITIONS = {"knock": "knock", "noise": "noise"} | {
+    f"mode {mode}": f"mode:{mode}" for mode in ("1B", "1F", "2B", "2F")
+}
+"""How a motion may start, and the name of each start in `rotorstab.initial_conditions`."""
+
+
+class PointInputs(param.Parameterized):
+    """The marked point."""
+
+    marker = Boolean(
+        Facts("at"),
+        default=False,
+        label="Marker",
+        doc="Shows the multipliers and the motion at one point of the instability chart.",
+    )
+    marker_frequency = Number(
+        Facts("f", symbol="θ/ωₙ"),
+        default=1.68,
+        bounds=(0.05, 40.0),
+        step=0.01,
+        label="Marker frequency",
+        doc="θ/ωₙ of the marked point.",
+    )
+    marker_factor = Number(
+        Facts("b", symbol="β_d"),
+        default=0.5,
+        bounds=(0.0, 2.0),
+        step=0.01,
+        label="Marker factor",
+        doc="β_d of the marked point.",
+    )
+    initial = Selector(
+        Facts("ic"),
+        default="knock",
+        objects=list(INITIAL_CONDITIONS),
+        label="Starts from",
+        doc="An impact on the disk along V, random motion of every whirl mode, or one whirl mode.",
+    )
+    seed = Number(
+        Facts("seed", symbol="s"),
+        default=1.0,
+        bounds=(0.0, 999.0),
+        step=1.0,
+        label="Seed of the noise",
+        doc="Each whole number gives its own random start.",
+    )
+    periods = Number(
+        Facts("n", symbol="N"),
+        default=12.0,
+        bounds=(1.0, 400.0),
+        step=1.0,
+        label="Periods shown",
+        doc="Length of the response, in periods of the load.",
+    )
