@@ -25,9 +25,8 @@ try:
         threads,
     )
 
-    # logs first, so that the others can log
+    logs.install(values, sessions.current_session)  # first, so that the others can log
     for part in (
-        logs,
         faults,
         threads,
         headers,

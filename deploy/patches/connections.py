@@ -9,6 +9,7 @@ import socket
 import time
 from collections.abc import Callable, Collection
 from contextlib import suppress
+from functools import partial
 from typing import Any
 
 import tornado.tcpserver as tornado_tcpserver
@@ -28,8 +29,6 @@ SILENCE = 60.0  # s between two warnings of the same cause
 YOUNG = 5.0  # s during which a connection is never closed
 PAUSE = 1.0  # s without accepting after the system had no descriptor
 EXHAUSTED = (errno.EMFILE, errno.ENFILE, errno.ENOBUFS, errno.ENOMEM)
-
-most_connections = 0
 
 
 class RareWarning:
@@ -104,16 +103,26 @@ def page_sockets() -> set[int]:
 
 
 class Acceptor:
-    """Accepts the connections of one listening socket, with a bound and a pause."""
+    """Accepts the connections of one listening socket, with a bound and a pause.
 
-    def __init__(self, listener: socket.socket, callback: Callable[[socket.socket, Any], None]):
-        self._listener, self._callback = listener, callback
+    Parameters
+    ----------
+    listener : socket
+    callback : callable
+        Takes a new connection and its address; a method of the server.
+    most : int
+        Largest number of connections that the server holds.
+    """
+
+    def __init__(
+        self, listener: socket.socket, callback: Callable[[socket.socket, Any], None], most: int
+    ) -> None:
+        self._listener, self._callback, self._most = listener, callback, most
         self._loop = IOLoop.current()
         self._accepted = Accepted()
         self._removed = False
         self._too_many = RareWarning(
-            f"there are {most_connections} connections, as many as are allowed: "
-            "the oldest are closed"
+            f"there are {most} connections, as many as are allowed: the oldest are closed"
         )
         self._exhausted = RareWarning("the system has no descriptor left: new connections wait")
 
@@ -148,7 +157,7 @@ class Acceptor:
 
     def _admit(self, connection: socket.socket, address: Any) -> None:
         """Hand a new connection to the server, or close it where there is no room for it."""
-        if held(self._callback) >= most_connections:
+        if held(self._callback) >= self._most:
             self._too_many.log()
             if not self._accepted.end_oldest(page_sockets()):
                 connection.close()
@@ -158,21 +167,20 @@ class Acceptor:
 
 
 def add_accept_handler(
-    listener: socket.socket, callback: Callable[[socket.socket, Any], None]
+    listener: socket.socket, callback: Callable[[socket.socket, Any], None], most: int
 ) -> Callable[[], None]:
-    """Accept connections in place of Tornado's function; return what ends it.
+    """Accept at most some connections in place of Tornado's function; return what ends it.
 
     Tornado accepts without a bound. Where no descriptor is left, it fails in every turn of the
     loop, each time with a traceback, until one is free.
     """
-    acceptor = Acceptor(listener, callback)
+    acceptor = Acceptor(listener, callback, most)
     acceptor.start()
     return acceptor.remove
 
 
 def install(settings: Settings) -> None:
     """Bound the connections of this process's server."""
-    global most_connections
     room = max(raise_limit() - RESERVED, 16)
-    most_connections = min(room, RESERVED + CONNECTIONS_OF_A_PAGE * settings.max_sessions)
-    replace(tornado_tcpserver, "add_accept_handler", add_accept_handler)
+    most = min(room, RESERVED + CONNECTIONS_OF_A_PAGE * settings.max_sessions)
+    replace(tornado_tcpserver, "add_accept_handler", partial(add_accept_handler, most=most))

@@ -17,6 +17,7 @@ import time
 import traceback
 from collections.abc import Callable
 
+from prometheus_client import Gauge
 from tornado.ioloop import IOLoop, PeriodicCallback
 from tornado.web import RequestHandler
 
@@ -28,6 +29,7 @@ BEAT = 1.0  # s between two signs of life
 LOGGED_AFTER = 10  # signs of life that were missed
 SPARE = 5.0  # s that faulthandler waits longer than the thread
 SHOWN_FRAMES = 12  # of the stack that is logged
+LAG = Gauge("rotorstab_loop_lag_seconds", "How late the loop was last.")
 
 
 class HealthHandler(RequestHandler):
@@ -94,26 +96,18 @@ class Watchdog:
         return "".join(traceback.format_stack(frame)[-SHOWN_FRAMES:])
 
 
-watchdog: Watchdog | None = None
-
-
-def loop_lag() -> float:
-    """Return by how many seconds the last sign of life was late."""
-    return watchdog.lag if watchdog else 0.0
-
-
 def install(settings: Settings) -> None:
     """Watch the loop of this thread, from its first turn on."""
-    global watchdog
-    watchdog = installed = Watchdog(settings.hang)
+    watchdog = Watchdog(settings.hang)
+    LAG.set_function(lambda: watchdog.lag)
 
     def beat() -> None:
-        installed.beat()
+        watchdog.beat()
         faulthandler.dump_traceback_later(settings.hang + SPARE, exit=True)
 
     def start() -> None:
         beat()
         PeriodicCallback(beat, BEAT * 1000).start()
-        threading.Thread(target=installed.watch, name="watchdog", daemon=True).start()
+        threading.Thread(target=watchdog.watch, name="watchdog", daemon=True).start()
 
     IOLoop.current().add_callback(start)

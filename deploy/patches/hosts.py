@@ -30,7 +30,6 @@ LONGEST_VALUE = 3_000  # characters of one value with its %-escapes; no page of 
 LONGEST_NAME = 20  # characters of a key that are kept where the key is too long
 FOR_MACHINES = ("/health", "/metrics")  # a probe asks for them by whatever name it uses
 
-prefix = ""
 allowlist = bokeh_server.create_hosts_allowlist
 
 
@@ -91,7 +90,7 @@ def shorten(request: HTTPServerRequest) -> None:
         arguments.update({key: list(values) for key, values in parsed.items()})
 
 
-def refusal(application: Application, request: HTTPServerRequest) -> int | None:
+def refusal(application: Application, request: HTTPServerRequest, prefix: str) -> int | None:
     """Return the status with which a request is refused; None where it is not."""
     known = getattr(application, "websocket_origins", None)
     path = request.path.removeprefix(prefix)
@@ -115,13 +114,11 @@ def allowlist_with_ipv6(hosts: Sequence[str] | None, port: int | None) -> list[s
 
 def install(settings: Settings) -> None:
     """Check every request to this process's server."""
-    global prefix
-    prefix = settings.prefix
     find_handler = Application.find_handler  # `plain_serving` may have replaced Tornado's
 
     @functools.wraps(find_handler)
     def find_known(self: Application, request: HTTPServerRequest, **kwargs: Any) -> Any:
-        status = refusal(self, request)
+        status = refusal(self, request, settings.prefix)
         if status is not None:
             return self.get_handler_delegate(request, Refused, {"status": status})
         if len(request.uri or "") > LONGEST_KEPT:

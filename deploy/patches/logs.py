@@ -7,6 +7,7 @@ import json
 import logging
 import sys
 import time
+from collections.abc import Callable
 from typing import Any
 
 from tornado.httpserver import _HTTPRequestContext
@@ -17,7 +18,6 @@ from ..settings import Settings
 from .patching import replace
 
 LONGEST_LINE = 2000  # characters of a message or a traceback
-SHOWN_OF_ID = 8  # characters of a session's name
 
 log_request = Application.log_request
 
@@ -30,21 +30,18 @@ def shorten(text: str) -> str:
     return f"{text[:half]} ... {len(text) - 2 * half} characters cut ... {text[-half:]}"
 
 
-def current_session() -> str:
-    """Return the first characters of the session that is being served; empty where none is."""
-    try:
-        state = sys.modules["panel.io.state"].state
-        return str(state.curdoc.session_context.id)[:SHOWN_OF_ID]
-    except Exception:  # there is none; writing a log line never fails
-        return ""
-
-
 class ShortRecord(logging.LogRecord):
-    """A log record of bounded length that knows its session."""
+    """A log record of bounded length that knows its session.
 
-    def __init__(self, *args: Any, **kwargs: Any) -> None:
+    Parameters
+    ----------
+    session_of : callable
+        Returns the name of the session that is being served; empty where none is.
+    """
+
+    def __init__(self, session_of: Callable[[], str], *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
-        self.session = current_session()
+        self.session = session_of()
         if self.exc_info and self.exc_info[0] is not None:
             self.exc_text = shorten(logging.Formatter().formatException(self.exc_info))
 
@@ -98,9 +95,21 @@ def log_request_by_kind(self: Application, handler: RequestHandler) -> None:
         log_request(self, handler)
 
 
-def install(settings: Settings) -> None:
-    """Send every log record of this process to standard error in one form."""
-    logging.setLogRecordFactory(ShortRecord)
+def no_session() -> str:
+    """Return an empty text, in a process that serves no sessions."""
+    return ""
+
+
+def install(settings: Settings, session_of: Callable[[], str] = no_session) -> None:
+    """Send every log record of this process to standard error in one form.
+
+    Parameters
+    ----------
+    settings : Settings
+    session_of : callable
+        Returns the name of the session that is being served; empty where none is.
+    """
+    logging.setLogRecordFactory(functools.partial(ShortRecord, session_of))
     replace(RequestHandler, "_request_summary", summary)
     replace(HTTPServerRequest, "__repr__", shown_request)
     replace(_HTTPRequestContext, "__str__", shown_context)

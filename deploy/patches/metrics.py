@@ -26,7 +26,7 @@ from app.background import telemetry
 
 from .. import dashboard
 from ..settings import Settings
-from . import health, sessions
+from . import sessions
 from .patching import replace
 
 BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1, 2, 5)  # s
@@ -37,8 +37,6 @@ UPDATES = Histogram(
 ERRORS = Counter("rotorstab_errors", "Log records of level error or above.", ["logger"])
 OPENINGS = Histogram("rotorstab_session_open_seconds", "To build a session.", buckets=BUCKETS)
 SESSIONS = Gauge("rotorstab_sessions", "Sessions that are held or being built.")
-readers = "loopback"
-"""Who may read the metrics: the setting ROTORSTAB_METRICS."""
 
 
 class CountErrors(logging.Handler):
@@ -49,11 +47,9 @@ class CountErrors(logging.Handler):
 
 
 class SharedCollector(Collector):
-    """What other modules count: the caches that all sessions share, and refusals."""
+    """What the caches count that all sessions share."""
 
     def collect(self) -> Iterable[Metric]:
-        refused = CounterMetricFamily("rotorstab_refused", "Pages and sockets answered 503.")
-        refused.add_metric([], sessions.refused)
         hits = CounterMetricFamily("rotorstab_cache_hits", "Found in a cache.", labels=["cache"])
         misses = CounterMetricFamily("rotorstab_cache_misses", "Computed.", labels=["cache"])
         held = GaugeMetricFamily("rotorstab_cache_entries", "Held in a cache.", labels=["cache"])
@@ -61,17 +57,21 @@ class SharedCollector(Collector):
             hits.add_metric([name], info.hits)
             misses.add_metric([name], info.misses)
             held.add_metric([name], info.currsize)
-        return refused, hits, misses, held
+        return hits, misses, held
 
 
 class MetricsHandler(RequestHandler):
     """The text format of Prometheus; 404 for those who may not read it."""
 
+    def initialize(self, readers: str) -> None:
+        """Take who may read the metrics: the setting ROTORSTAB_METRICS."""
+        self.readers = readers
+
     async def get(self) -> None:
         is_local = ipaddress.ip_address(self.request.remote_ip or "0.0.0.0").is_loopback
         # a request that comes through a proxy comes from the proxy's user
         is_forwarded = any(name.startswith("X-Forwarded") for name in self.request.headers)
-        if readers != "on" and (readers == "off" or is_forwarded or not is_local):
+        if self.readers != "on" and (self.readers == "off" or is_forwarded or not is_local):
             raise HTTPError(404)
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Type", CONTENT_TYPE_LATEST)
@@ -87,14 +87,11 @@ def observe(name: str, value: float) -> None:
 
 def install(settings: Settings) -> None:
     """Measure this process's server."""
-    global readers
-    readers = settings.metrics
-    if readers == "off":
+    if settings.metrics == "off":
         return
     logging.getLogger().addHandler(CountErrors(logging.ERROR))
     REGISTRY.register(SharedCollector())
     Gauge("rotorstab_sockets", "Open sockets.").set_function(lambda: len(sessions.open_sockets))
-    Gauge("rotorstab_loop_lag_seconds", "How late the loop was last.").set_function(health.loop_lag)
     Gauge("rotorstab_places", "Sessions allowed at a time.").set(settings.max_sessions)
     create = ApplicationContext.create_session_if_needed
 

@@ -18,6 +18,8 @@ from bokeh.server.views.session_handler import SessionHandler
 from bokeh.settings import settings as bokeh_settings
 from bokeh.util.token import check_token_signature, get_session_id
 from panel.io.server import DocHandler, WSHandler
+from panel.io.state import state as panel_state
+from prometheus_client import Counter
 from tornado.web import HTTPError
 
 from ..settings import Settings
@@ -33,15 +35,12 @@ draining = threading.Event()
 """Set when the server ends: nobody new is served."""
 building = asyncio.Lock()
 """Held while a page is built: one at a time, so that messages are answered between two pages."""
-most_sessions = 60
-refused = 0
-"""Number of pages and sockets that were answered 503."""
+REFUSED = Counter("rotorstab_refused", "Pages and sockets answered 503.")
 
 
 def refuse() -> NoReturn:
     """Answer 503: all places are taken, or the server is about to end."""
-    global refused
-    refused += 1
+    REFUSED.inc()
     raise HTTPError(503)
 
 
@@ -53,6 +52,15 @@ session_prepare = SessionHandler.prepare
 socket_prepare = WSHandler.prepare
 socket_connection_close = WSHandler.on_connection_close
 socket_finish = WSHandler.on_finish
+SHOWN_OF_ID = 8  # characters of a session's name
+
+
+def current_session() -> str:
+    """Return the first characters of the session that is being served; empty where none is."""
+    try:
+        return str(panel_state.curdoc.session_context.id)[:SHOWN_OF_ID]
+    except Exception:  # there is none; writing a log line never fails
+        return ""
 
 
 def documents(application: Any) -> int:
@@ -84,10 +92,10 @@ async def discard(context: Any, session: Any) -> None:
         await context._discard_session(session, lambda each: each.connection_count == 0)
 
 
-async def make_room(context: Any) -> None:
-    """Discard the oldest sessions without a socket, so that one more may be built."""
+async def make_room(context: Any, most: int) -> None:
+    """Discard the oldest sessions without a socket, of which `most` may be held."""
     alone = without_socket(context)
-    for session in alone[: max(0, len(alone) + 1 - most_sessions)]:
+    for session in alone[: max(0, len(alone) + 1 - most)]:
         await discard(context, session)
 
 
@@ -161,9 +169,8 @@ async def create_session(
             raise
 
 
-@functools.wraps(session_prepare)
-async def prepare_page(self: Any) -> None:
-    """Refuse a page where all places are taken."""
+async def prepare_page(self: Any, places: int) -> None:
+    """Prepare the request of a page; refuse it where all places are taken."""
     # Bokeh's own arguments let a link choose the session or, with bokeh-absolute-url, the host from
     # which the page's scripts come. No page of ours uses them.
     self.request.headers.pop("Bokeh-Session-Id", None)
@@ -173,13 +180,12 @@ async def prepare_page(self: Any) -> None:
     await session_prepare(self)
     if self.request.method == "HEAD":
         return
-    if draining.is_set() or places_taken(self.application) >= most_sessions:
+    if draining.is_set() or places_taken(self.application) >= places:
         refuse()
-    await make_room(self.application_context)
+    await make_room(self.application_context, places)
 
 
-@functools.wraps(socket_prepare)
-async def prepare_socket(self: Any) -> None:
+async def prepare_socket(self: Any, places: int) -> None:
     """Refuse a socket from another site, with a false token, or where all places are taken."""
     await socket_prepare(self)
     if self._finished:
@@ -193,10 +199,10 @@ async def prepare_socket(self: Any) -> None:
     if len(protocols) != 2:
         raise HTTPError(403, reason="No token")
     known = known_session(self, protocols[1].strip())
-    if draining.is_set() or len(open_sockets) >= most_sessions:
+    if draining.is_set() or len(open_sockets) >= places:
         refuse()
     if not known:
-        await make_room(self.application_context)
+        await make_room(self.application_context, places)
     open_sockets.add(self)
 
 
@@ -217,15 +223,14 @@ def socket_refused(self: Any) -> None:
 
 def install(settings: Settings) -> None:
     """Count and limit the sessions and sockets of this process's server."""
-    global most_sessions
-    most_sessions = settings.max_sessions
+    places = settings.max_sessions
     replace(DocHandler, "get_session", session_or_error)
     # It checks the references of each document that opens; the tests look at the page itself.
     replace(bokeh_settings, "perform_document_validation", False)
     replace(ApplicationContext, "create_session_if_needed", create_session)
     replace(ServerSession, "subscribe", subscribe_and_note)
     replace(ApplicationContext, "_cleanup_sessions", cleanup)
-    replace(DocHandler, "prepare", prepare_page)
-    replace(WSHandler, "prepare", prepare_socket)
+    replace(DocHandler, "prepare", functools.partialmethod(prepare_page, places))
+    replace(WSHandler, "prepare", functools.partialmethod(prepare_socket, places))
     replace(WSHandler, "on_connection_close", socket_gone)
     replace(WSHandler, "on_finish", socket_refused)

@@ -14,10 +14,11 @@ from __future__ import annotations
 import logging
 from asyncio import Future
 from functools import cache, partial, wraps
-from importlib import import_module
+from inspect import getmodule
 from typing import Any
 
 from bokeh.core.serialization import Serializer
+from bokeh.protocol.messages import patch_doc
 from bokeh.settings import settings
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
@@ -54,9 +55,9 @@ def warn(message: str) -> None:
 
 def install() -> None:
     """Change how this process writes to its pages; calling it again changes nothing."""
-    patch_doc: Any = import_module("bokeh.protocol.messages.patch_doc")
-    if hasattr(patch_doc, "Serializer"):
-        patch_doc.Serializer = partial(Serializer, deferred=False)
+    module: Any = getmodule(patch_doc)  # its package has the class of the same name in its place
+    if hasattr(module, "Serializer"):
+        module.Serializer = partial(Serializer, deferred=False)
     else:
         warn("this Bokeh sends arrays apart from their messages: pages will be slower")
     settings.compression_level = 0  # the network of a lab is faster than gzip
