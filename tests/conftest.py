@@ -6,7 +6,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.testing.browser import FLAGS, HELP, find_browser
-from tests.testing.dashboard import open_dashboard
+from tests.testing.dashboard import open_dashboard, reset
 from tests.testing.serving import Server
 
 # no test asserts a time, and machines of a CI are slow and shared
@@ -79,17 +79,7 @@ def kept_page(browser, dashboard):
 def page(kept_page, dashboard):
     """The dashboard at 1280 px with every input at its default."""
     page, watch = kept_page
-    page.evaluate(
-        """async () => {
-          let focused = document.activeElement;
-          while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
-          focused?.blur();
-          scrollTo(0, 0);
-          location.hash = "explore";
-          rotorstab.last = {};
-          rotorstab.send({ type: "reset" });
-        }"""
-    )
-    page.wait_for_function("rotorstab.last.values && Bokeh.documents[0].is_idle")
+    page.set_viewport_size({"width": 1280, "height": 900})
+    reset(page)
     yield page
     watch.check(dashboard)

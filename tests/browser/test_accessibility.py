@@ -17,6 +17,7 @@ from tests.testing.page import (
     open_groups,
     serious_faults,
     visit,
+    wait_for_rest,
     wait_for_value,
 )
 
@@ -90,12 +91,12 @@ def test_tooltips_open_by_mouse_and_by_keyboard(page, name):
     button = page.get_by_role("button", name=f"What is {State.param[name].label}?")
     assert not text.is_visible()
     button.hover()
-    assert text.is_visible()
+    text.wait_for(state="visible")
     assert text.text_content() == f"{State.param[name].label} {State.param[name].doc}"
     page.mouse.move(900, 20)
-    assert not text.is_visible()
+    text.wait_for(state="hidden")
     button.focus()
-    assert text.is_visible()
+    text.wait_for(state="visible")
     assert text.get_attribute("role") == "tooltip"
 
 
@@ -103,7 +104,7 @@ def themed(page):
     """Go through both themes."""
     for theme in ("dark", "light"):
         page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
-        page.wait_for_timeout(150)
+        wait_for_rest(page)
         yield theme
 
 
@@ -120,7 +121,7 @@ def test_axe_finds_nothing_serious_in_the_open_drawer(open_page):
     assert page.evaluate("document.documentElement.dataset.theme") == "dark"
     page.get_by_role("button", name="Parameters", exact=True).click()
     page.locator("#sidebar").wait_for(state="visible")
-    page.wait_for_timeout(400)
+    wait_for_rest(page)
     assert serious_faults(page) == []
     page.evaluate("document.documentElement.dataset.theme = 'light'")
     assert serious_faults(page) == []
@@ -129,7 +130,7 @@ def test_axe_finds_nothing_serious_in_the_open_drawer(open_page):
 OPEN = "?v=1&at=1&f=1.68&b=0.5&u=SI&spin=99&p1=spin_1~~slow&p2=load_follower~~follower#explore"
 
 
-@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("width", [1280, pytest.param(390, marks=pytest.mark.long)])
 def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
     page = open_page(width, 900, path=f"/app{OPEN}")
     page.set_default_timeout(60_000)

@@ -86,14 +86,14 @@ def test_every_choice_sets_its_own_input(page):
 
 def test_switches_hide_layers_and_show_them_again(page):
     open_groups(page)
-    assert page.evaluate(HIDDEN_LAYERS) == 0
+    page.wait_for_function(f"({HIDDEN_LAYERS})() === 0")
     for name in SWITCHES:
         page.locator(f"#rs-{name}").uncheck()
         settle(page, name, False)
-        assert page.evaluate(HIDDEN_LAYERS) > 0
+        page.wait_for_function(f"({HIDDEN_LAYERS})() > 0")
         page.locator(f"#rs-{name}").check()
         settle(page, name, True)
-        assert page.evaluate(HIDDEN_LAYERS) == 0
+        page.wait_for_function(f"({HIDDEN_LAYERS})() === 0")
 
 
 def test_a_number_out_of_range_is_refused_at_the_control(page):

@@ -1,5 +1,7 @@
 """Copying without https, where browsers have no `navigator.clipboard`."""
 
+from itertools import product
+
 import pytest
 
 pytestmark = pytest.mark.browser
@@ -17,13 +19,13 @@ def ask(page, name):
     page.get_by_role("button", name=name).click()
 
 
-@pytest.mark.parametrize("refused", [False, True])
-def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(open_page, refused):
+def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(open_page):
     page = open_page()
     page.evaluate(NO_CLIPBOARD)
-    page.evaluate("(one) => { window.refused = one; }", refused)
     dialog = page.locator("dialog.code")
-    for name, begins in (("As Python", ""), ("Copy link", page.evaluate("location.origin"))):
+    texts = ("As Python", ""), ("Copy link", page.evaluate("location.origin"))
+    for refused, (name, begins) in product((False, True), texts):
+        page.evaluate("(one) => { window.refused = one; }", refused)
         ask(page, name)
         dialog.wait_for(state="visible")
         if not begins:

@@ -15,6 +15,7 @@ from tests.testing.page import (
     open_groups,
     settle,
     visit,
+    wait_for_rest,
 )
 
 pytestmark = pytest.mark.browser
@@ -91,7 +92,7 @@ def watched(browser, dashboard):
 )
 def test_the_full_verdict_moves_no_chart(watched, width, query):
     page = watched(width, query)  # a map that the server does not know yet
-    page.wait_for_timeout(300)
+    page.wait_for_timeout(300)  # a chart that moves late is seen
     found = tops(page)
     assert set(found) >= set(CHART_TITLES)
     assert all(len(found[key]) == 1 for key in CHART_TITLES), found
@@ -106,8 +107,8 @@ def test_a_slider_at_rest_again_moves_no_chart(watched, width):
         page.evaluate("(value) => rotorstab.change('spin_speed', value)", value)
         page.wait_for_function("(value) => rotorstab.last.values.spin_speed === value", arg=value)
     settle(page, "spin_speed", 1.88)
-    page.wait_for_timeout(200)
-    assert page.evaluate("said.size") >= 2
+    page.wait_for_function("said.size >= 2")
+    page.wait_for_timeout(200)  # a chart that moves late is seen
     found = tops(page)
     assert all(len(found[key]) == 1 for key in CHART_TITLES), found
 
@@ -146,7 +147,7 @@ def within(inner, outer):
 def test_explore_fits_on_one_screen(open_page, width, height):
     page = open_page(width, height, path="/app?v=1&at=1&f=1.68&b=0.5")
     settle(page)
-    page.wait_for_timeout(500)  # layout of the charts
+    wait_for_rest(page)
     found = page.evaluate(PLACES)
     window = [0, 0, width, height]
     assert found["page"] == [width, height]  # nothing to scroll
@@ -209,15 +210,18 @@ def test_pages_without_parameters_have_no_sidebar(page, key):
     assert page.locator("#sidebar").is_visible()
 
 
-def test_words_on_the_white_picture_can_be_read_in_the_dark(open_page):
-    page = open_page(color_scheme="dark", path="/app#paper")
-    page.wait_for_function("rotorstab.last.page === 'paper'")
+def test_words_on_the_white_picture_can_be_read_in_the_dark(page):
+    visit(page, "paper")
+    page.evaluate("document.documentElement.dataset.theme = 'dark'")
     colours = page.evaluate(
         """() => {
           const words = document.createElement("p");
           words.className = "sub";
           document.querySelector(".picture").append(words);
-          return [words, words.parentElement].map((one) => getComputedStyle(one).color);
+          const found = [words, words.parentElement].map((one) => getComputedStyle(one).color);
+          words.remove();
+          document.documentElement.dataset.theme = "light";
+          return found;
         }"""
     )
     assert colours[0] == colours[1]
@@ -256,7 +260,7 @@ def test_no_page_scrolls_sideways(page):
         visit(page, name)
         for width in (1920, 1280, 1024, 901, 768, 390):
             page.set_viewport_size({"width": width, "height": 900})
-            page.wait_for_timeout(150)  # layout
+            wait_for_rest(page)
             assert page.evaluate("document.documentElement.scrollWidth") <= width, (name, width)
             if name == "explore":
                 for key in CHARTS:

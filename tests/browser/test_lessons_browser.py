@@ -29,7 +29,7 @@ def heading(page):
 
 def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
     page = open_lesson(open_page)
-    assert page.evaluate("document.activeElement.id") == "lesson-title"
+    page.wait_for_function("document.activeElement.id === 'lesson-title'")
     heading(page).get_by_text(LESSON.steps[0].title).wait_for()
     for part in ("try-part", "see-part"):
         assert page.locator(f'[data-lesson="{part}"]').is_hidden()
@@ -51,7 +51,7 @@ def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
 
     page.get_by_role("button", name="Next").press("Enter")
     heading(page).get_by_text(LESSON.steps[1].title).wait_for()
-    assert page.evaluate("document.activeElement.dataset.lesson") == "heading"
+    page.wait_for_function("document.activeElement.dataset.lesson === 'heading'")
     page.wait_for_function("rotorstab.last.values.spin_speed === 0")
     page.locator(".lesson-steps button.done").wait_for()
 
@@ -70,20 +70,28 @@ def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
     assert page.evaluate("localStorage.getItem('rotorstab-lessons')") is None
 
 
-def test_spoilt_progress_is_no_obstacle(open_page):
+@pytest.mark.parametrize(
+    "stored",
+    [
+        "{",
+        pytest.param("[7]", marks=pytest.mark.long),
+        pytest.param('{"04-gyroscope": {"at": 99, "steps": 1}}', marks=pytest.mark.long),
+    ],
+)
+def test_spoilt_progress_is_no_obstacle(open_page, stored):
     page = open_page(path="/app#lessons")
-    for stored in ("{", "[7]", '{"04-gyroscope": {"at": 99, "steps": 1}}'):
-        page.evaluate("text => localStorage.setItem('rotorstab-lessons', text)", stored)
-        page.goto("about:blank")
-        page.go_back()
-        page.wait_for_function("window.rotorstab?.last?.page === 'lessons'")
-        page.locator("h3 a", has_text=LESSON.title).click()
-        heading(page).get_by_text(LESSON.steps[0].title).wait_for()
-        page.go_back()
-        page.wait_for_function("rotorstab.last.page === 'lessons'")
+    page.evaluate("text => localStorage.setItem('rotorstab-lessons', text)", stored)
+    page.reload()
+    page.wait_for_function("window.rotorstab?.last?.page === 'lessons'")
+    page.locator("h3 a", has_text=LESSON.title).click()
+    heading(page).get_by_text(LESSON.steps[0].title).wait_for()
+    page.go_back()
+    page.wait_for_function("rotorstab.last.page === 'lessons'")
 
 
-@pytest.mark.parametrize(("width", "scheme"), [(1280, "dark"), (390, "light")])
+@pytest.mark.parametrize(
+    ("width", "scheme"), [(390, "dark"), pytest.param(1280, "light", marks=pytest.mark.long)]
+)
 def test_the_list_and_a_lesson_have_no_accessibility_fault(open_page, width, scheme):
     from axe_playwright_python.sync_playwright import Axe
 

@@ -31,11 +31,20 @@ def shown_pages(page):
     )
 
 
+def visited(open_page, dashboard, paths):
+    """Open addresses one after the other in the same window."""
+    first, *others = paths
+    page = open_page(path=first)
+    yield page
+    for path in others:
+        page.goto(dashboard.origin + path)
+        yield page
+
+
 def test_a_link_opens_on_its_page(open_page, dashboard):
-    page = open_page()
-    for number, name in enumerate([one.key for one in PAGES][1:], 1):
-        spin = 1 + number / 8
-        page.goto(f"{dashboard.origin}/app?v=1&spin={spin}#{name}")
+    spins = {one.key: 1 + number / 8 for number, one in enumerate(PAGES[1:], 1)}
+    paths = [f"/app?v=1&spin={spin}#{name}" for name, spin in spins.items()]
+    for page, (name, spin) in zip(visited(open_page, dashboard, paths), spins.items(), strict=True):
         page.wait_for_function("(name) => window.rotorstab?.last?.page === name", arg=name)
         assert shown_pages(page) == [name]
         assert page.locator("nav a[aria-current]").get_attribute("href") == f"#{name}"
@@ -68,9 +77,9 @@ def test_a_link_opens_on_its_lesson_and_step_as_the_sender_left_it(open_page):
 
 
 def test_a_senseless_step_opens_a_working_page(open_page, dashboard):
-    page = open_page()
-    for number, end in enumerate(("99", "1/2", "%3Cscript%3E")):
-        page.goto(f"{dashboard.origin}/app?spin=1.{number}#lesson/{LESSON.key}/{end}")
+    ends = "99", "1/2", "%3Cscript%3E"
+    paths = [f"/app?spin=1.{number}#lesson/{LESSON.key}/{end}" for number, end in enumerate(ends)]
+    for page, end in zip(visited(open_page, dashboard, paths), ends, strict=True):
         page.wait_for_function("window.rotorstab?.last?.at_rest && Bokeh.documents[0].is_idle")
         assert shown_pages(page) == ["explore"], end
         assert page.locator("script:text('<b>')").count() == 0

@@ -3,6 +3,8 @@
 import pytest
 
 from app.results.analysis import CHARTS
+from tests.testing.dashboard import open_dashboard, reset
+from tests.testing.page import wait_for_rest
 
 pytestmark = pytest.mark.browser
 PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 2}
@@ -25,15 +27,26 @@ ZOOM = """(key) => {
 }"""
 
 
+@pytest.fixture(scope="module")
+def kept_phone(browser, dashboard):
+    """One page at 390 px with touch for all tests: opening it takes seconds."""
+    context, page, watch = open_dashboard(browser, dashboard, 390, 844, **PHONE)
+    page.touches = context.new_cdp_session(page)
+    yield page, watch
+    context.close()
+
+
 @pytest.fixture
-def phone(open_page):
-    """The page at 390 px with touch."""
-    page = open_page(390, 844, **PHONE)
+def phone(kept_phone, dashboard):
+    """The page at 390 px with touch and with every input at its default."""
+    page, watch = kept_phone
+    reset(page)
     # the full picture's sentence is longer, and what stands below it moves
+    page.evaluate("rotorstab.send({ type: 'settle' })")
     page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
-    page.wait_for_timeout(800)  # charts settle into their places and colours
-    page.touches = page.context.new_cdp_session(page)
-    return page
+    wait_for_rest(page)
+    yield page
+    watch.check(dashboard)
 
 
 def swipe(page, start, end, steps=8):
@@ -46,9 +59,9 @@ def swipe(page, start, end, steps=8):
         page.touches.send(
             "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]}
         )
-        page.wait_for_timeout(16)
+        page.wait_for_timeout(16)  # a frame
     page.touches.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-    page.wait_for_timeout(300)
+    wait_for_rest(page)  # it may go on scrolling
 
 
 def test_a_swipe_over_a_chart_scrolls_the_page(phone):
@@ -76,7 +89,7 @@ def test_drawer_slider_and_menus_work_under_a_finger(phone):
     sidebar = phone.locator("#sidebar")
     phone.get_by_role("button", name="Parameters", exact=True).tap()
     sidebar.wait_for(state="visible")
-    phone.wait_for_timeout(300)
+    wait_for_rest(phone)
     slider = phone.locator("#rs-spin_speed")
     box = slider.bounding_box()
     assert box["height"] >= 24
@@ -109,6 +122,6 @@ def test_drawer_slider_and_menus_work_under_a_finger(phone):
     menu.scroll_into_view_if_needed()
     assert menu.bounding_box()["height"] >= 24
     menu.tap()
-    assert phone.evaluate("document.activeElement.dataset.chart") == "campbell"
+    phone.wait_for_function("document.activeElement.dataset.chart === 'campbell'")
     with phone.expect_download(timeout=60_000):
         menu.select_option("csv")

@@ -2,6 +2,8 @@
 
 from urllib.parse import urlsplit
 
+from app.state import State
+
 READY = "window.rotorstab?.last && Bokeh.documents[0]?.is_idle"
 
 
@@ -43,3 +45,27 @@ def open_dashboard(browser, server, width=1280, height=900, path="/app", **optio
     page.goto(server.origin + path)
     page.wait_for_function(READY)
     return context, page, watch
+
+
+def reset(page):
+    """Bring a page that was used back to its start: every input at its default, nothing focused."""
+    page.evaluate(
+        """() => {
+          let focused = document.activeElement;
+          while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+          focused?.blur();
+          scrollTo(0, 0);
+          location.hash = "explore";
+          rotorstab.last = {};
+          rotorstab.send({ type: "reset" });
+        }"""
+    )
+    # an answer to what was done before may still come
+    page.wait_for_function(
+        """(inputs) => {
+          const { page, values } = rotorstab.last;
+          return page === "explore" && Bokeh.documents[0].is_idle
+            && Object.entries(inputs).every(([name, value]) => values?.[name] === value);
+        }""",
+        arg=State().inputs(),
+    )

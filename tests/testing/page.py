@@ -43,6 +43,21 @@ FOCUS = f"""() => {{
   const row = box ? element.closest(".row").querySelector("label").htmlFor : "";
   return (row + box) || element.id || element.name || element.textContent.trim().slice(0, 40);
 }}"""
+AT_REST = """async () => {
+  const places = () => [...document.querySelectorAll("body *")].map((one) => {
+    const { x, y, width, height } = one.getBoundingClientRect();
+    return [x, y, width, height];
+  }).join();
+  const end = performance.now() + 20000;
+  let before = "", equal = 0;
+  while (equal < 5 || !Bokeh.documents[0].is_idle) {
+    if (performance.now() > end) throw new Error("the page does not come to rest");
+    await new Promise(requestAnimationFrame);
+    const now = places();
+    equal = now === before ? equal + 1 : 0;
+    before = now;
+  }
+}"""
 FRAME = """(key) => {
   const walk = (view) => {
     if (view.model.type === "Figure" && view.model.name === key) return view;
@@ -95,13 +110,16 @@ def expected(values):
 
 
 def agrees(page):
-    """Wait for the full picture and compare every chart with the solver; return the inputs."""
-    values = settle(page)
-    found, wanted = shown(page), expected(values)
-    for key in CHARTS:
+    """Wait for the full picture of every chart as the solver gives it; return the inputs."""
+    for attempt in range(20):  # a part of the picture may still be under way
+        values = settle(page)
+        found, wanted = shown(page), expected(values)
         # no comparison by `==`: pytest would spend an hour on the difference of so many numbers
-        assert _same(found[key], wanted[key]), key
-    return values
+        differing = [key for key in CHARTS if not _same(found[key], wanted[key])]
+        if not differing:
+            return values
+        page.wait_for_timeout(50 * attempt)
+    raise AssertionError(f"these charts are not as the solver gives them: {differing}")
 
 
 def _plain(value):
@@ -126,11 +144,16 @@ def _same(found, wanted):
     return found == wanted
 
 
+def wait_for_rest(page):
+    """Wait until nothing on the page has moved for five frames and Bokeh is idle."""
+    page.evaluate(AT_REST)
+
+
 def visit(page, name):
     """Go to one of the dashboard's pages by its link, and wait until it is laid out."""
     page.evaluate("(name) => { location.hash = name; }", name)
     page.wait_for_function("(name) => rotorstab.last.page === name", arg=name)
-    page.wait_for_timeout(400)  # layout, and the colours of the charts
+    wait_for_rest(page)
 
 
 def open_groups(page):

@@ -40,7 +40,7 @@ class Page:
     async def ticks(self, count):
         """Run that many callbacks, each when it comes."""
         for _ in range(count):
-            for _ in range(2000):
+            for _ in range(6000):
                 if self.callbacks:
                     break
                 await asyncio.sleep(0.01)

@@ -233,7 +233,7 @@ def test_the_user_hears_of_a_printer_that_does_not_start(own, session, monkeypat
     monkeypatch.setattr(session.controls, "send", told.put)
     answer = session.respond({"type": "export", "format": "pdf", "chart": "campbell"})
     assert "making" in answer["told"]
-    assert "try again" in told.get(timeout=10)["told"]
+    assert "try again" in told.get(timeout=60)["told"]
     monkeypatch.undo()
     monkeypatch.setattr(session.controls, "send", told.put)
     session.respond({"type": "export", "format": "csv", "chart": "campbell"})
@@ -267,7 +267,7 @@ def test_a_message_that_fails_is_answered(session, monkeypatch, caplog):
 def test_a_session_that_ends_waits_for_nothing(own, moved):
     told, page = [], Page()
     wanted = Files(page, told.append, moved.state)
-    own[1].request(time.sleep, 0.3)
+    own[1].request(time.sleep, 600)
     request = {"format": "csv", "chart": "instability"}
     wanted.start(export(moved.pages["explore"], moved.state, request))
     assert (making(), own[1].pending()) == (1, 2)

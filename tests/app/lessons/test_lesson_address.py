@@ -39,7 +39,7 @@ def test_back_goes_to_the_step_before_and_sliders_leave_no_entry(open_page):
     assert page.evaluate("history.length") == entries
     page.get_by_role("button", name="Next").click()
     at_step(page, 4)
-    assert page.evaluate("history.length") == entries + 1
+    page.wait_for_function(f"history.length === {entries + 1}")
     # the menu says where one is
     assert page.locator("nav a[aria-current]").text_content() == "Lessons"
     page.go_back()
@@ -128,21 +128,21 @@ def test_names_return_with_the_answer_and_when_the_lesson_is_left(open_page):
     page = open_page(path="/app#lesson/06-axial-and-follower/3")
     at_step(page, 3)
     page.wait_for_function("rotorstab.veiled")
-    assert not page.evaluate(LEAKS)["names"]
+    page.wait_for_function(f"!({LEAKS})().names")
     page.locator(".lesson-choice input").first.check()
     page.get_by_role("button", name="Check").click()
     page.locator(".lesson-words.right").wait_for()
     page.wait_for_function("!rotorstab.veiled")
-    found = page.evaluate(LEAKS)
-    assert found["names"]
-    assert found["hover"]
-    assert found["words"]
+    page.wait_for_function(
+        f"() => {{ const {{ names, hover, words }} = ({LEAKS})();"
+        " return names && hover && words.length > 0; }"
+    )
     page.evaluate("location.hash = 'lesson/06-axial-and-follower/5'")
     at_step(page, 5)
     page.wait_for_function("rotorstab.veiled")
     page.get_by_role("button", name="Leave the lesson").click()
     page.wait_for_function("!rotorstab.veiled")
-    assert page.evaluate(LEAKS)["names"]
+    page.wait_for_function(f"({LEAKS})().names")
 
 
 def test_a_place_is_not_read_off_the_map_before_it_is_computed():
@@ -174,10 +174,10 @@ def choose(page, number):
 def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
     page = open_page(path="/app#lesson/04-gyroscope/1")
     at_step(page, 1)
-    assert "after your prediction" in page.evaluate(COVER)
+    page.wait_for_function(f"({COVER})().includes('after your prediction')")
     choose(page, 0)
     page.locator(".lesson-words.hint").wait_for()
-    assert page.evaluate(COVER) == "none"
+    page.wait_for_function(f"({COVER})() === 'none'")
     assert page.evaluate(NUMBER) == "0px"
     page.locator("#lesson-spin_speed").press("ArrowRight")
     page.wait_for_function(f"({NUMBER})() !== '0px'")
