@@ -73,14 +73,37 @@ def tiny(tmp_path):
         server.stop()
 
 
-@pytest.fixture(scope="module")
-def idle(tmp_path_factory):
-    """A server that no test makes hang or ends."""
-    server = Tiny(tmp_path_factory.mktemp("idle"), ROTORSTAB_LOG_LEVEL="debug")
+def served(folder, **environment):
+    """A server that several tests use, until the last of them has ended."""
+    server = Tiny(folder, **environment)
     try:
         yield server.wait()
     finally:
         server.stop()
+
+
+@pytest.fixture(scope="module")
+def idle(tmp_path_factory):
+    """A server that no test makes hang or ends."""
+    yield from served(tmp_path_factory.mktemp("idle"), ROTORSTAB_LOG_LEVEL="debug")
+
+
+@pytest.fixture(scope="module")
+def unusual(tmp_path_factory):
+    """A server with other settings than most have; no test makes it hang or ends it."""
+    yield from served(
+        tmp_path_factory.mktemp("unusual"),
+        ADDRESS="::",
+        ROTORSTAB_ORIGINS="",
+        ROTORSTAB_METRICS="on",
+        ROTORSTAB_LOG_FORMAT="text",
+    )
+
+
+@pytest.fixture(scope="module")
+def ending(tmp_path_factory):
+    """A server without metrics, which a test ends."""
+    yield from served(tmp_path_factory.mktemp("ending"), ROTORSTAB_METRICS="off")
 
 
 @pytest.mark.long
@@ -127,14 +150,20 @@ def test_sigterm_ends_a_worker_that_hangs(tiny):
     assert server.process.wait(PATIENCE) == 1
 
 
-def test_sigterm_ends_an_idle_worker_with_0(tiny):
-    server = tiny()
-    assert server.get("/app")[0] == 200
-    os.kill(server.process.pid, signal.SIGTERM)
-    assert server.process.wait(PATIENCE) == 0
+def test_metrics_are_for_whom_they_are_meant(idle, unusual, ending):
+    assert idle.get("/metrics")[0] == 200
+    assert idle.get("/metrics", **{"X-Forwarded-For": "127.0.0.1"})[0] == 404
+    assert unusual.get("/metrics", **{"X-Forwarded-For": "192.0.2.1"})[0] == 200
+    assert ending.get("/metrics")[0] == 404
+
+
+def test_sigterm_ends_an_idle_worker_with_0(ending):
+    assert ending.get("/app")[0] == 200
+    os.kill(ending.process.pid, signal.SIGTERM)
+    assert ending.process.wait(PATIENCE) == 0
     with pytest.raises(ProcessLookupError):
-        os.killpg(server.process.pid, 0)
-    assert server.lines()[-1]["message"] == "stopped"
+        os.killpg(ending.process.pid, 0)
+    assert ending.lines()[-1]["message"] == "stopped"
 
 
 def test_the_check_of_a_container(idle):
@@ -156,17 +185,16 @@ def test_the_check_of_a_container(idle):
     assert "refused" in told
 
 
-def test_an_address_for_both_families_and_an_ipv6_origin(tiny):
-    server = tiny(ADDRESS="::", ROTORSTAB_ORIGINS="")
+def test_an_address_for_both_families_and_an_ipv6_origin(unusual, monkeypatch):
     for host in ("127.0.0.1", "::1"):
-        connection = http.client.HTTPConnection(host, server.port, timeout=PATIENCE)
+        connection = http.client.HTTPConnection(host, unusual.port, timeout=PATIENCE)
         with contextlib.closing(connection):
             connection.request("GET", "/app")
             assert connection.getresponse().status == 200
 
     async def open_socket(name):
-        server.origin = f"http://{name}:{server.port}"
-        async with opened(server):
+        monkeypatch.setattr(unusual, "origin", f"http://{name}:{unusual.port}")
+        async with opened(unusual):
             return True
 
     assert run(open_socket("[::1]"))
@@ -174,25 +202,15 @@ def test_an_address_for_both_families_and_an_ipv6_origin(tiny):
         run(open_socket("[2001:db8::1]"))
 
 
-def test_metrics_are_for_whom_they_are_meant(idle, tiny):
-    assert idle.get("/metrics")[0] == 200
-    assert idle.get("/metrics", **{"X-Forwarded-For": "127.0.0.1"})[0] == 404
-    server = tiny(ROTORSTAB_METRICS="on")
-    assert server.get("/metrics", **{"X-Forwarded-For": "192.0.2.1"})[0] == 200
-    server = tiny(ROTORSTAB_METRICS="off")
-    assert server.get("/metrics")[0] == 404
-
-
-def test_a_log_line_is_an_object_or_plain_text(idle, tiny):
+def test_a_log_line_is_an_object_or_plain_text(idle, unusual):
     idle.get("/app")
     for line in idle.lines():
         assert {"time", "level", "logger", "message"} <= set(line)
     sessions = {line["session"] for line in idle.lines() if "session" in line}
     assert sessions
     assert {len(one) for one in sessions} == {8}
-    plain = tiny(ROTORSTAB_LOG_FORMAT="text")
-    assert plain.lines() == []
-    assert "INFO rotorstab.server: serving http://127.0.0.1:" in plain.log.read_text()
+    assert unusual.lines() == []
+    assert "INFO rotorstab.server: serving http://" in unusual.log.read_text()
 
 
 def test_the_app_is_measured_only_where_somebody_observes():

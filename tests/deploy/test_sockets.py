@@ -21,7 +21,8 @@ def test_only_a_closed_socket_is_let_go(error, monkeypatch, caplog):
         monkeypatch.setattr(sockets, "write_message", lambda *_: asyncio.ensure_future(fail()))
         sockets.install()
         WebSocketHandler.write_message(None, "part")
-        await asyncio.sleep(0.01)
+        for _ in range(20):  # the turns that the failure takes
+            await asyncio.sleep(0)
 
     monkeypatch.setattr(WebSocketHandler, "write_message", WebSocketHandler.write_message)
     run(write_and_forget())
