@@ -1,10 +1,12 @@
 """One server and one browser for all tests that look at the real page."""
 
+import os
 from collections import Counter
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.testing import paper
 from tests.testing.browser import FLAGS, HELP, find_browser
 from tests.testing.dashboard import open_dashboard, reset
 from tests.testing.serving import Server
@@ -22,6 +24,21 @@ def pytest_collection_modifyitems(items):
     """
     pages = Counter(item.path for item in items if "browser" in getattr(item, "fixturenames", ()))
     items.sort(key=lambda item: -pages[item.path])
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _folder_of_the_run(tmp_path_factory):
+    """A folder that all processes of this run have in common, for results that take seconds."""
+    own = tmp_path_factory.getbasetemp()
+    paper.folder = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+
+
+@pytest.fixture(scope="module")
+def shared_paper():
+    """Figures and conclusions with Floquet are computed once in this run, whoever asks for them."""
+    with pytest.MonkeyPatch.context() as patch:
+        paper.share(patch)
+        yield
 
 
 @pytest.fixture(scope="session")

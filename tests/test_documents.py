@@ -48,6 +48,7 @@ def test_the_python_blocks_run_and_give_what_their_comments_say():
 
 
 # `serve` runs until it is ended: tests/deploy/test_command.py starts it
+@pytest.mark.usefixtures("shared_paper")
 @pytest.mark.parametrize("command", [one for one in COMMANDS if one.split()[0] != "serve"])
 def test_the_commands_run(command, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)

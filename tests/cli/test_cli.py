@@ -18,6 +18,8 @@ from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS, TABLE_FORMATS, P
 from rotorstab.model.stiffness_law import STIFFNESS_LAWS
 from rotorstab.paper import CONCLUSIONS, FIGURES
 
+pytestmark = pytest.mark.usefixtures("shared_paper")
+
 
 def rows_of(path):
     return list(csv.DictReader(x for x in path.read_text().splitlines() if x[0] != "#"))

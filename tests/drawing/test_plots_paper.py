@@ -89,6 +89,7 @@ def nothing_is_covered(figure, monkeypatch):
     ("number", "options"),
     [*((n, {}) for n in FIGURES), *((n, {"floquet": True}) for n in FLOQUET_FIGURES)],
 )
+@pytest.mark.usefixtures("shared_paper")
 def test_no_text_covers_another_or_leaves_the_page(number, options, monkeypatch):
     nothing_is_covered(FIGURES[number](**options), monkeypatch)
 

@@ -7,18 +7,15 @@ import pytest
 
 from rotorstab.paper import validation
 from rotorstab.paper.published import PUBLISHED
-from tests.testing import paper
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "validation.md"
 NUMBER = re.compile(r"[-−]?\d+\.?\d*(?:e-?\d+)?")
 
 
 @pytest.fixture(scope="module")
-def document():
+def document(shared_paper):
     """The document as the code makes it now."""
-    with pytest.MonkeyPatch.context() as patch:
-        paper.share(patch, validation)
-        yield validation.validation_markdown()
+    return validation.validation_markdown()
 
 
 @pytest.mark.parametrize("one", PUBLISHED, ids=lambda one: one.quantity)
