@@ -21,7 +21,7 @@ from .results.curves import curves_name
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
-STYLES = ("page.css", "inspector.css", "lessons.css")
+STYLES = ("page.css", "inspector.css", "shaft.css", "lessons.css")
 # connection.js stands before Bokeh's files; each script adds to what those before it made
 SCRIPTS = (
     "messages.js",
@@ -29,8 +29,11 @@ SCRIPTS = (
     "layout.js",
     "units.js",
     "paper.js",
-    "inspector.js",
+    "places.js",
+    "marker.js",
+    "motion.js",
     "shaft.js",
+    "inspector.js",
     "lessons.js",
 )
 # which of these are drawn depends on the load type and the stiffness law

@@ -15,7 +15,8 @@ from .exports.files import Files, export, report
 from .exports.snippet import python_snippet
 from .live.controls import Controls
 from .pages import PAGES, Page
-from .pages.base import Reply
+from .pages.base import Reply, Stage
+from .results.default_marker import place_marker
 from .results.limits import Detail
 from .state import State, Use, names_for
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
@@ -41,8 +42,8 @@ class Session:
         pins, bad_pins = pins_from_arguments(arguments or {}, self.state.inputs())
         self._problems = [*doubtful, *bad_pins], refused
         self.pages: dict[str, Page] = {page.key: page() for page in PAGES}
+        place_marker(self.state)
         for page in self.pages.values():
-            page.opening = True
             page.set_address_pins(pins)
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
@@ -52,7 +53,7 @@ class Session:
         self.settling = Settling(self.show_refined, self._scheduler)
         # the page and the detail that the browser shows since the last change of anything
         self._shown: tuple[Page, Detail] | None = None
-        self._opened = False
+        self._enter(Stage.OPENING)
         self._handlers: dict[object, Callable[[Mapping[str, Any]], Reply]] = {
             "change": self._change,
             "preset": self._apply_preset,
@@ -87,8 +88,7 @@ class Session:
             With a "type". It may be forged: only its "values" may be anything but a number or a
             text, since lists and arrays have no hash and no truth value.
         """
-        if not self._opened:
-            self._open()
+        self._advance(message.get("type"))
         values = message.get("values")
         message = {
             key: item
@@ -105,6 +105,7 @@ class Session:
             return {"resting": True}
         try:
             reply = self._reply(message)
+            place_marker(self.state)
             content = self._start(reply)
         except Exception:
             _LOG.exception("a message of type %r failed", kind)
@@ -180,13 +181,20 @@ class Session:
         pins = [pin for page in self.pages.values() for pin in page.pin_inputs()]
         return to_query(self.state.inputs(), pins)
 
-    def _open(self) -> None:
-        """Prepare for the first message: draw what a bare request for the page does not cost."""
-        self._opened = True
+    def _advance(self, kind: object) -> None:
+        """Let the first messages draw what a bare request for the page does not cost."""
+        if self._stage is Stage.OPENING:
+            self._enter(Stage.GREETED)
+            self._scheduler.call(self._restore_pin)
+        if self._stage is Stage.GREETED and kind != "hello":
+            self._enter(Stage.COMPLETE)
+
+    def _enter(self, stage: Stage) -> None:
+        """Begin a stage, in which the pages show more than before."""
+        self._stage = stage
         self._shown = None
         for page in self.pages.values():
-            page.opening = False
-        self._scheduler.call(self._restore_pin)
+            page.stage = stage
 
     def _restore_pin(self) -> None:
         """Solve one pin of the address and show it; the others wait for a turn of their own."""
@@ -204,7 +212,7 @@ class Session:
 
         BokehJS drops what comes while it builds the page: the first message asks for all again.
         """
-        if not self._opened:
+        if self._stage is Stage.OPENING:
             return
         with pn.io.hold():
             content = self._redraw(detail)

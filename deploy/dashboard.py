@@ -31,8 +31,10 @@ def warm_up() -> None:
         from app.session import Session
 
         library()  # reports a broken lesson now, and not when the first student comes
-        # The page has a marker, so that HoloViews prepares the charts of a marked point as well.
-        Session({"at": ["1"]}).respond({"type": "hello"})
+        # The second message asks for the charts of the marked point.
+        session = Session()
+        for kind in ("hello", "settle"):
+            session.respond({"type": kind})
     # These objects stay until the end, so the garbage collector need not look at them any more.
     gc.collect()
     gc.freeze()

@@ -1,52 +1,30 @@
-// The marker on the instability chart, the panel of the marked point, and the pins.
+// The panel of the marked point, its marks that follow the motion, and the pins.
 window.rotorstab.inspector = (() => {
   const page = window.rotorstab;
   const one = (selector) => document.querySelector(selector);
   const every = (selector) => [...document.querySelectorAll(selector)];
-  const BOUNDS = { marker_frequency: [0.05, 40], marker_factor: [0, 2], seed: [0, 999], periods: [1, 400] };
-  const NAMES = { marker_frequency: "θ/ωₙ", marker_factor: "β_d", seed: "The seed", periods: "The number of periods" };
+  const BOUNDS = { seed: [0, 999], periods: [0, 400] };
+  const NAMES = { seed: "The seed", periods: "The number of periods" };
   const PIN_LOOKS = { 1: ["#7a6fd8", "3 3"], 2: ["#9a7b00", "7 3"], 3: ["#2f8f8f", "7 3 2 3"] };
   const values = {};
-  let painted = false;
-
-  const clamp = (name, value) => Math.min(BOUNDS[name][1], Math.max(BOUNDS[name][0], value));
-  const shown = (name, value) => (BOUNDS[name][1] > 100 ? String(value) : String(Number(value.toFixed(4))));
-
-  function place(frequency, factor) {
-    values.marker_frequency = Number(clamp("marker_frequency", frequency).toFixed(4));
-    values.marker_factor = Number(clamp("marker_factor", factor).toFixed(4));
-    values.marker = true;
-    say("");
-    for (const name of ["marker", "marker_frequency", "marker_factor"]) page.change(name, values[name]);
-    for (const box of every("[data-marker]")) box.value = shown(box.dataset.marker, values[box.dataset.marker]);
-  }
-
-  function remove() {
-    values.marker = false;
-    page.change("marker", false);
-    one(".marker-keys").focus();
-  }
-
-  function say(words) { one(".marker-error").textContent = words; }
+  let asked = false, painted = false;
 
   function commit(box, name) {
-    const { value, doubt } = page.typed(box.value);
+    // an empty box lets the page choose the number of periods
+    const { value, doubt } = name === "periods" && !box.value.trim() ? { value: 0 } : page.typed(box.value);
     const [low, high] = BOUNDS[name];
     const good = value >= low && value <= high;
     page.flag(box, !good);
-    if (!good) { say(`${NAMES[name]} ${doubt || `must be a number from ${low} to ${high}`}`); return; }
-    say("");
-    if (box.dataset.marker) place(...["marker_frequency", "marker_factor"].map((key) => (key === name ? value : values[key])));
-    else page.change(name, Math.round(value));
+    one(".inspector-error").textContent = good ? "" : `${NAMES[name]} ${doubt || `must be a number from ${low} to ${high}`}`;
+    if (good) page.change(name, Math.round(value));
   }
 
-  function move(event) {
-    const step = event.shiftKey ? 0.1 : 0.01;
-    const by = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
-    if (by) {
-      event.preventDefault();
-      place(values.marker_frequency + by[0], values.marker_factor + by[1]);
-    } else if (event.key === "Delete" && values.marker) { event.preventDefault(); remove(); }
+  function showInputs() {
+    for (const box of every("[data-input]")) {
+      const value = values[box.dataset.input];
+      if (document.activeElement !== box) box.value = box.dataset.input === "periods" && value === 0 ? "" : String(value);
+    }
+    one("[data-noise]").hidden = values.initial !== "noise";
   }
 
   page.facts = (rows) => rows.map(([name, value]) => {
@@ -106,16 +84,17 @@ window.rotorstab.inspector = (() => {
   }
 
   document.addEventListener("DOMContentLoaded", () => {
-    for (const box of every("[data-marker], input[data-input]")) {
-      const name = box.dataset.marker || box.dataset.input;
-      box.addEventListener("change", () => commit(box, name));
-      box.addEventListener("keydown", (event) => { if (event.key === "Escape") { box.value = shown(name, values[name]); page.flag(box, false); say(""); } });
+    for (const box of every("input[data-input]")) {
+      box.addEventListener("change", () => commit(box, box.dataset.input));
+      box.addEventListener("keydown", (event) => {
+        if (event.key !== "Escape") return;
+        box.blur();
+        page.flag(box, false);
+        one(".inspector-error").textContent = "";
+        showInputs();
+      });
     }
     one('[data-input="initial"]').addEventListener("change", (event) => page.change("initial", event.target.value));
-    const keys = one(".marker-keys");
-    keys.addEventListener("keydown", move);
-    keys.addEventListener("click", () => { if (!values.marker) place(values.marker_frequency, values.marker_factor); });
-    one(".marker-remove").addEventListener("click", remove);
     one(".pin-add").addEventListener("click", () => {
       const box = one(".pin-name");
       page.send({ type: "pin", label: box.value });
@@ -123,50 +102,69 @@ window.rotorstab.inspector = (() => {
     });
   }, { once: true });
 
-  // the value in SI beside each box, as in the sidebar
-  function si({ hints }) {
-    for (const name of ["marker_frequency", "marker_factor"]) one(`[data-marker-si="${name}"]`).textContent = `= ${hints[name]}`;
+  // -- the cursor on the chart of the tip, and the dot on its orbit --------------------------------
+  const spots = {};
+  function spot(key, name, x, y) {
+    const where = x !== null && page.places.holder(key);
+    if (spots[key]?.parentElement !== where && where) {
+      spots[key] = document.createElement("div");
+      spots[key].className = name;
+      where.append(spots[key]);
+    }
+    const shown = where && page.places.window(key);
+    const inside = shown && [x, y].every((value, axis) => value === undefined || (value >= shown[axis][0] && value <= shown[axis][1]));
+    if (spots[key]) spots[key].hidden = !inside;
+    if (!inside) return;
+    const [left, top] = page.places.pixel(key, x, y ?? shown[1][1]);
+    spots[key].style.transform = `translate(${left}px, ${top}px)`;
+    if (y === undefined) spots[key].style.height = `${page.places.pixel(key, x, shown[1][0])[1] - top}px`;
+  }
+
+  function cursor(now, data) {
+    const at = now && now.periods * (data.seconds ?? 1);
+    spot("response", "time-cursor", now ? at : null);
+    const levelled = one(".shaft-level").checked; // the charts show the motion with its growth
+    spot("orbit", "orbit-dot", now && !levelled ? now.v * data.edge : null, now && now.w * data.edge);
+  }
+  page.motion.follow(cursor);
+
+  // what is true at the point: announced at rest, or by the handle of the marker while that has the focus
+  function say({ sentence, explanation, facts }, settled) {
+    for (const words of every("[data-point]")) {
+      words.setAttribute("aria-live", settled && !page.marker.focused ? "polite" : "off");
+      write(words, sentence);
+    }
+    write(one('[data-inspector="explanation"]'), explanation);
+    one('[data-inspector="facts"]').replaceChildren(...page.facts(facts));
+  }
+
+  function write(where, words) {
+    if (where.dataset.text === words) return;
+    where.dataset.text = words;
+    where.replaceChildren(...page.rich(words));
   }
 
   return {
-    tap: (x, y) => place(...page.units.plain("instability", x, y)),
+    // whether the charts of the point are there, if one is marked
+    get ready() { return painted || !page.last?.inspector; },
     answer(data) {
       if (data.values) {
-        for (const name of ["marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"]) values[name] = data.values[name];
-        for (const box of every("[data-marker], [data-input]")) {
-          const name = box.dataset.marker || box.dataset.input;
-          if (document.activeElement !== box) box.value = box.tagName === "SELECT" ? values[name] : shown(name, values[name]);
-        }
-        one("[data-noise]").hidden = values.initial !== "noise";
-        one(".marker-remove").hidden = !values.marker;
-        const keys = one(".marker-keys");
-        keys.textContent = values.marker ? "Move with arrow keys" : "Place the marker";
-        keys.setAttribute("aria-pressed", String(values.marker));
+        for (const name of ["initial", "seed", "periods"]) values[name] = data.values[name];
+        showInputs();
       }
-      if (data.si) si(data.si);
+      page.marker.answer(data);
       if (data.pins !== undefined) showPins(data.pins);
       if (data.inspector === undefined) return;
-      const card = one(".card.inspector");
-      card.classList.toggle("empty", !data.inspector);
-      const words = one("[data-point]");
-      if (!data.inspector) {
-        words.dataset.text = words.textContent = "Click the chart to mark a point.";
-        page.shaft.stop();
-        return;
-      }
-      words.setAttribute("aria-live", data.settled ? "polite" : "off");
-      if (words.dataset.text !== data.inspector.sentence) {
-        words.dataset.text = data.inspector.sentence;
-        words.replaceChildren(...page.rich(data.inspector.sentence));
-      }
-      one('[data-inspector="facts"]').replaceChildren(...page.facts(data.inspector.facts));
-      for (const place of card.querySelectorAll(".steady")) page.steady(place);
-      if (data.inspector.motion) page.shaft.load(data.inspector.motion);
-      if (!painted) {
-        // the charts have just been created
-        painted = true;
-        for (const delay of [0, 60, 400]) setTimeout(page.paintCharts, delay);
-      }
+      const { inspector } = data;
+      one(".card.inspector").classList.toggle("empty", !inspector);
+      say(inspector || { sentence: "No point is marked: click the chart to mark one.", explanation: "", facts: [] }, data.settled);
+      page.motion.load(inspector && inspector.motion);
+      if (!inspector || painted) return;
+      // the charts of the point are made after the first picture has been painted, when the page asks again
+      painted = asked;
+      if (asked) for (const delay of [0, 60, 400]) setTimeout(page.paintCharts, delay);
+      else requestAnimationFrame(() => setTimeout(() => page.send({ type: "settle" })));
+      asked = true;
     },
   };
 })();

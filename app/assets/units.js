@@ -54,5 +54,11 @@ window.rotorstab.units = (() => {
     return [x / fx, y / fy];
   }
 
-  return { panel, answer, plain };
+  // and the numbers of the marker to a position on a chart
+  function shown(key, x, y) {
+    const [fx, fy] = factors[key] || [1, 1];
+    return [x * fx, y * fy];
+  }
+
+  return { panel, answer, plain, shown };
 })();

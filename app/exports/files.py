@@ -237,11 +237,15 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
     return Reply(_making_message(name), follow_up=(page.need(state), answer))
 
 
+def _point_words(point: Mapping[str, Any]) -> str:
+    return f"{point['sentence']} {point['explanation']}".strip()
+
+
 def _paragraphs(content: Mapping[str, Any]) -> list[str]:
     """Return the text of the report from what the Explore page answers."""
     paragraphs = [content["verdict"]]
     if content["inspector"]:
-        paragraphs.append(f"The marked point: {content['inspector']['sentence']}")
+        paragraphs.append(f"The marked point: {_point_words(content['inspector'])}")
     if content["pins"]:
         names = ", ".join(pin["name"] for pin in content["pins"]["names"])
         paragraphs.append(f"Thin lines are pinned curves of earlier settings: {names}.")

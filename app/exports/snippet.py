@@ -11,11 +11,14 @@ from ..results.analysis import BOUNDARY_ROWS, Result, solve
 from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_cases
 from ..results.floquet_answer import TABLE_FACTOR
 from ..results.limits import Detail, map_size
+from ..results.marked_point import EDGE
 from ..results.model import ELEMENTS, MODES, model_of
 from ..results.window import chart_options
 from ..state import INITIAL_CONDITIONS, State
 
 __all__ = ["python_snippet"]
+
+_ROUNDING = 1e-9  # of a time in periods
 
 
 def _arguments(**values: object) -> str:
@@ -84,7 +87,8 @@ def _curves(state: State, result: Result) -> str:
 def _point(state: State, result: Result) -> str:
     """Return the lines of the marked point."""
     found = inspect(state, result)
-    periods = round(float(found.response.time[-1] / found.response.period))
+    periods = math.ceil(found.response.time[-1] / found.response.period - _ROUNDING)
+    end = "" if state.periods else f".until({EDGE!r})"
     seed = f", {round(state.seed)}" if state.initial == "noise" else ""
     return f"""
 # inside the marked point
@@ -96,7 +100,7 @@ point = (
 multipliers = floquet_multipliers(system, *point)
 rate = growth_rate(system, *point)
 start = initial_conditions(system, static_load, {INITIAL_CONDITIONS[state.initial]!r}{seed})
-response = time_response(system, *point, start, {periods}, {found.samples})
+response = time_response(system, *point, start, {periods}, {found.samples}){end}
 """
 
 

@@ -198,4 +198,6 @@ def _parameters(front: Mapping[str, Any], table: Table) -> dict[str, Any]:
     parameters = front.get("parameters", {})
     if not isinstance(parameters, dict):
         raise table.error("parameters", "parameters must be a table")
-    return set_inputs(parameters, State().inputs(), table)
+    # without a marker of its own: the one that the page places would give answers away
+    start = State().inputs() | {"marker": False, "marker_follows": False}
+    return set_inputs(parameters, start, table)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
+from enum import Enum
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
@@ -20,9 +21,17 @@ from ..results.window import Window, floquet_map
 from ..state import State
 from ..state.address import PinnedInputs
 
-__all__ = ["FRAGMENTS", "Need", "Page", "Reply"]
+__all__ = ["FRAGMENTS", "Need", "Page", "Reply", "Stage"]
 
 FRAGMENTS = Path(__file__).parent.parent / "assets" / "pages"
+
+
+class Stage(Enum):
+    """How much of a page there is yet; what can wait does not delay the first picture."""
+
+    OPENING = "the document is being built, and the browser has sent no message"
+    GREETED = "the browser has sent its first message, and paints its first picture"
+    COMPLETE = "the browser has sent another message"
 
 
 @dataclass(frozen=True)
@@ -84,8 +93,7 @@ class Page:
     chart_keys: ClassVar[tuple[str, ...]] = ()
     # types of messages that this page answers whichever page is in view
     takes: ClassVar[frozenset[str]] = frozenset()
-    # True until the browser's first message: the page's document is still being built
-    opening = False
+    stage = Stage.COMPLETE
 
     def __init__(self) -> None:
         self.charts: dict[str, LiveChart] = {}
@@ -159,10 +167,10 @@ class Page:
             if key in self.charts:
                 self.charts[key].show(chart)
             else:
-                live = LiveChart(chart)
-                self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
-                self.charts[key] = live
+                self.charts[key] = live = LiveChart(chart)
+                # before Panel copies the sizes of the figure
                 self.built(key, live)
+                self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
             self.charts[key].set_visible(self.visible(state))
 
     def built(self, key: str, chart: LiveChart) -> None:

@@ -13,6 +13,7 @@ from rotorstab.charts import Chart
 
 from ..live.chart import LiveChart
 from ..live.low import make_low
+from ..live.small import make_small
 from ..reading.user_error import UserError
 from ..results.analysis import CHARTS, Result, solve, window_of
 from ..results.curves import load_cases
@@ -26,7 +27,7 @@ from ..words.details import details
 from ..words.refusals import user_message
 from ..words.si import displayed, shaft_words, shown_scales, si_answer
 from ..words.verdict import verdict
-from .base import FRAGMENTS, Page, Reply
+from .base import FRAGMENTS, Page, Reply, Stage
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
 from .pins import Pin, differences, pin, solve_pin, with_pins
 
@@ -58,11 +59,12 @@ class Explore(Page):
         return text
 
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
-        """Return the three charts, and those of the marked point if there is one."""
+        """Return the three charts, and those of the marked point once there is time for them."""
         result = solve(state, detail)
-        charts = with_marks(result.charts, state, result) if state.marker else result.charts
+        marked = state.marker and self.stage is Stage.COMPLETE
+        charts = with_marks(result.charts, state, result) if marked else result.charts
         charts = with_pins(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
-        if state.marker and not self.opening:
+        if marked:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
@@ -106,9 +108,11 @@ class Explore(Page):
             chart.figure.min_height = None  # the page gives each chart its height
         if key in ("load-frequency", "campbell"):
             make_low(chart.figure)
+        if key in INSPECTOR_CHARTS:
+            make_small(chart.figure)
         if key == "instability":
             chart.figure.js_on_event(
-                "tap", CustomJS(code="window.rotorstab.inspector.tap(cb_obj.x, cb_obj.y)")
+                "tap", CustomJS(code="window.rotorstab.marker.tap(cb_obj.x, cb_obj.y)")
             )
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
@@ -185,16 +189,21 @@ class Explore(Page):
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,
         }
-        if state.marker and not self.opening:
-            inspection = self._inspect(state, result)
-            if isinstance(inspection, str):
-                answer["inspector"] = {"sentence": inspection, "facts": []}
-            else:
-                # the animation runs in the browser, and begins when the inputs rest
-                moving = {} if detail is Detail.COARSE else {"motion": inspection.motion}
-                point = {"sentence": inspection.sentence, "facts": inspection.facts}
-                answer["inspector"] = point | moving
+        if state.marker and self.stage is not Stage.OPENING:
+            answer["inspector"] = self._point_answer(state, result)
         return answer
+
+    def _point_answer(self, state: State, result: Result) -> dict[str, Any]:
+        """Return the words and the motion of the marked point, or why it has none."""
+        found = self._inspect(state, result)
+        if isinstance(found, str):
+            return {"sentence": found, "explanation": "", "facts": [], "motion": None}
+        return {
+            "sentence": found.sentence,
+            "explanation": found.explanation,
+            "facts": found.facts,
+            "motion": found.motion,
+        }
 
 
 def _use_shaft(state: State) -> Reply:

@@ -16,7 +16,7 @@ from ..results.marked_point import Point, solve_point
 from ..results.nearest import nearest_pair
 from ..results.operation import operation_of
 from ..state import INITIAL_CONDITIONS, State
-from ..words.point import describe
+from ..words.point import describe, point_sentence
 from ..words.si import shown_scales
 from .animation import animation
 
@@ -34,10 +34,12 @@ class Inspection:
     ----------
     charts : dict of str to Chart
         In the units that the user chose.
-    facts : list of [name, value]
-        The point in words, for the page.
     sentence : str
-        The same as one sentence or two.
+        What is true at the point, in plain words.
+    explanation : str
+        The same with its reasons, for who asks.
+    facts : list of [name, value]
+        The point in numbers, for the page.
     motion : dict
         What the animation needs, plain values.
     response : TimeResponse
@@ -46,8 +48,9 @@ class Inspection:
     """
 
     charts: dict[str, Chart]
-    facts: list[list[str]]
     sentence: str
+    explanation: str
+    facts: list[list[str]]
     motion: dict[str, Any]
     response: TimeResponse
     samples: int
@@ -86,7 +89,7 @@ def inspect(state: State, result: Result) -> Inspection:
         in_bolotin_region(point.undamped(), point.static, point.pulsating, point.excitation)
     )
     pair = nearest_pair(result.floquet.table, point.excitation)
-    facts, sentence = describe(state, answer.floquet, bolotin, pair, result)
+    facts, explanation = describe(state, answer.floquet, bolotin, pair, result)
     facts += _facts_of_motion(answer.response, round(state.periods))
     scales = shown_scales(state)
     charts = answer.charts
@@ -95,8 +98,9 @@ def inspect(state: State, result: Result) -> Inspection:
         charts = charts | {"response": in_seconds(charts["response"], seconds)}
     return Inspection(
         charts=charts,
+        sentence=point_sentence(answer.floquet, point.excitation, result.floquet.table),
+        explanation=explanation,
         facts=facts,
-        sentence=sentence,
         motion=animation(point, answer.response, answer.samples, scales),
         response=answer.response,
         samples=answer.samples,
@@ -132,7 +136,7 @@ def _facts_of_motion(response: TimeResponse, wanted: int) -> list[list[str]]:
     facts = []
     shown = round(response.time[-1] / response.period)
     if shown < wanted:
-        facts.append(["Periods shown", f"{shown}: the whirl is fast against the load"])
+        facts.append(["Periods shown", f"{shown}: more would take too long to compute"])
     powers = response.growth_rate * float(response.time[-1]) / math.log(10)
     if powers > _STRONG_GROWTH:
         facts.append(["Growth over the time shown", f"by a factor of 10 to the power {powers:.1f}"])

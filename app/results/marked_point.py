@@ -20,12 +20,20 @@ from rotorstab.floquet.point import FloquetSolution, floquet_solution
 from ..reading.user_error import UserError
 from . import limits
 from .caches import shared_cache
+from .growth import Motion, motion_of
 from .model import Model
 
-__all__ = ["Point", "PointAnswer", "solve_point"]
+__all__ = ["EDGE", "Point", "PointAnswer", "point_floquet", "solve_point"]
 
+EDGE = 8.0
+"""Displacement of the tip, in the units of its start, at which it leaves the picture of the shaft.
+
+A knock gives a whirl of some 0.7: at this fixed scale it is small, and growth can be seen."""
+_PERIODS = (24, 40)  # most periods shown if none are wanted: of a stable motion, of one that grows
+_FEWEST_PERIODS = 6
+_LARGEST_GROWTH = 500.0  # ln of the growth over the time shown, within double precision
 _SAMPLES = (24, 600)  # fewest and most samples in one period
-_SAMPLES_PER_CYCLE = 14  # of the fastest whirl
+_SAMPLES_PER_CYCLE = 10  # of the fastest whirl
 _STEPS_PER_SAMPLE = 5  # at least
 # errors of ln|μ| and of one sample of the motion above which nothing is shown
 _RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6
@@ -53,7 +61,7 @@ class Point:
     seed : int
         Of the noise; 0 with any other start.
     periods : int
-        Periods of the load that are wanted.
+        Periods of the load that are wanted; 0 for as many as the motion needs to reach `EDGE`.
     """
 
     model: Model
@@ -82,6 +90,7 @@ class PointAnswer:
     Parameters
     ----------
     response : TimeResponse
+        Until the displacement passes `EDGE` if no number of periods was wanted.
     floquet : FloquetSolution
     samples : int
         Of the response, in one period.
@@ -114,13 +123,15 @@ def solve_point(point: Point) -> PointAnswer:
         )
     start = initial_conditions(system, point.static, point.initial, point.seed)
     steps = _most_steps(point.model, system, loads)
-    floquet = floquet_solution(system, *loads, point.excitation, most_steps=steps)
+    floquet = point_floquet(point.model, point.spin_speed, point.tangency, *loads, point.excitation)
     period = 2 * math.pi / point.excitation
     if not (floquet.converged or float(floquet.error) * period < _RATE_ERROR):
         raise UserError(_TOO_SLOW)
     samples = int(np.clip(_SAMPLES_PER_CYCLE * fastest / point.excitation, *_SAMPLES))
     samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
-    periods = max(1, min(point.periods, limits.MOST_SAMPLES // samples))
+    neutral = motion_of(floquet) is Motion.NEITHER
+    growth = 0.0 if neutral else float(floquet.growth_rate) * period
+    periods = max(1, min(_periods(point.periods, growth), limits.MOST_SAMPLES // samples))
     try:
         response = time_response(
             system, *loads, point.excitation, start, periods, samples, most_steps=steps
@@ -129,8 +140,39 @@ def solve_point(point: Point) -> PointAnswer:
         raise UserError(_TOO_SLOW) from None
     if not response.error < _MOTION_ERROR:
         raise UserError(_TOO_SLOW)
+    if not point.periods:
+        response = response.until(EDGE)
     charts = response_chart(response), multiplier_chart(floquet.multipliers), orbit_chart(response)
     return PointAnswer(response, floquet, samples, {chart.key: chart for chart in charts})
+
+
+@shared_cache(64)
+def point_floquet(
+    model: Model,
+    spin_speed: float,
+    tangency: float,
+    static: float,
+    pulsating: float,
+    excitation: float,
+) -> FloquetSolution:
+    """Return Floquet's answer at one point, with as many steps as the server has time for."""
+    system = model.system(spin_speed, tangency)
+    loads = static, pulsating
+    steps = _most_steps(model, system, loads)
+    return floquet_solution(system, *loads, excitation, most_steps=steps)
+
+
+def _periods(wanted: int, growth: float) -> int:
+    """Return how many periods of the load are shown; `growth` is σT."""
+    stable, growing = _PERIODS
+    if not wanted:
+        # from half a unit to the edge, or as far down
+        needed = math.log(2 * EDGE) / abs(growth) if growth else math.inf
+        if growth > 0:
+            # more than are needed: the response ends at the edge
+            return math.ceil(min(growing, 1.5 * needed + 2))
+        return math.ceil(min(stable, max(_FEWEST_PERIODS, needed)))
+    return min(wanted, int(_LARGEST_GROWTH / growth)) if growth > 0 else wanted
 
 
 def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:

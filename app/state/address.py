@@ -3,7 +3,7 @@
 A pin is written as its inputs that differ from the present state, and its name:
 `p1=spin_1.5~as_0.2~~slow`. No part of an address is trusted. An input that is missing keeps its
 default; a key or value that is unknown, repeated, too long, not a number or out of range is left
-out, and the page names it.
+out, and the page names it. Only `at=0` with `follow=…` means that the user removed the marker.
 """
 
 from __future__ import annotations
@@ -42,6 +42,7 @@ VERSION = 1
 KEYS = {name: facts.key for name, facts in FACTS.items()}
 """The key of each input in the address, by the name of the input."""
 _NAMES = {key: name for name, key in KEYS.items()}
+_MARKER = ("marker", "marker_frequency", "marker_factor")
 # keys that other programs add to links: they mean nothing here, and the user did not write them
 _TRACKING = re.compile(
     "(utm|mtm|pk|piwik|matomo|hsa|_hs|mc|ga|at|fb)_.*|_hsenc|_hsmi|_ga|_gl|fbclid|gclid|dclid|gclsrc"
@@ -158,6 +159,9 @@ def from_arguments(
                 values[_NAMES[key]] = _value(_NAMES[key], texts[0])
             except TwoReadings as error:
                 doubtful.append(f"{key} ({error})")
+    if values.get("marker") is False and "marker_follows" not in values:
+        # earlier versions wrote at=0 with a place for a marker that nobody had asked for
+        values = {name: value for name, value in values.items() if name not in _MARKER}
     return values, doubtful
 
 

@@ -19,9 +19,15 @@ class PointInputs(param.Parameterized):
 
     marker = Boolean(
         Facts("at"),
-        default=False,
+        default=True,
         label="Marker",
         doc="Shows the multipliers and the motion at one point of the instability chart.",
+    )
+    marker_follows = Boolean(
+        Facts("follow"),
+        default=True,
+        label="Marker follows the tongue",
+        doc="The marker stays inside the tongue 1B+1F of the present rotor until it is moved.",
     )
     marker_frequency = Number(
         Facts("f", symbol="θ/ωₙ"),
@@ -56,9 +62,10 @@ class PointInputs(param.Parameterized):
     )
     periods = Number(
         Facts("n", symbol="N"),
-        default=12.0,
-        bounds=(1.0, 400.0),
+        default=0.0,
+        bounds=(0.0, 400.0),
         step=1.0,
         label="Periods shown",
-        doc="Length of the response, in periods of the load.",
+        doc="Length of the response, in periods of the load; 0 shows as many as the motion needs "
+        "to leave the picture of the shaft, 40 at most.",
     )

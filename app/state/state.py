@@ -141,6 +141,9 @@ class State(Inputs):
         if "tangency" in good:
             # whoever moves this slider wants a partly follower load
             good.setdefault("load_type", "partly")
+        if "marker_frequency" in good or "marker_factor" in good:
+            # whoever moves the marker wants it to stay there
+            good.setdefault("marker_follows", False)
         if any(name in good for name in names_for(Use.MATERIAL)):
             good.setdefault("material", "own")
         self.param.update(**good)

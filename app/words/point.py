@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from rotorstab import FloquetSolution, is_unstable
+from rotorstab import FloquetSolution, ResonanceTable, is_unstable
 from rotorstab.charts import written
 
 from ..results.analysis import Result
@@ -16,7 +16,7 @@ from ..state import State
 from .si import shown_scales
 from .units import Units
 
-__all__ = ["describe"]
+__all__ = ["describe", "point_sentence"]
 
 _FLOQUET_WORDS = {
     Motion.GROWS: "unstable",
@@ -24,12 +24,49 @@ _FLOQUET_WORDS = {
     Motion.NEITHER: "stable",
 }
 Fact = list[str]
+_HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which a tongue is named
+
+
+def point_sentence(floquet: FloquetSolution, excitation: float, table: ResonanceTable) -> str:
+    """Return what is true at a point: whether and how fast the whirl grows, and in which tongue.
+
+    The tongue is named after the resonance |ω_i − ω_j|/k that is nearest to θ̄, as on the chart.
+
+    Parameters
+    ----------
+    floquet : FloquetSolution
+        At the point.
+    excitation : float
+        θ̄.
+    table : ResonanceTable
+        Of the same rotor under the same steady load.
+
+    Examples
+    --------
+    "Unstable: the whirl doubles every 5.1 periods of the load. Tongue 1B+1F."
+    """
+    motion = motion_of(floquet)
+    if motion is Motion.NEITHER:
+        return "Stable: the whirl neither grows nor decays."
+    period = 2 * math.pi / excitation
+    pace = written(math.log(2) / abs(float(floquet.growth_rate)) / period, 2)
+    every = "every period" if pace == "1" else f"every {pace} periods"
+    if motion is Motion.DECAYS:
+        return f"Stable: the whirl halves {every} of the load."
+    if table.mean_is_unstable:
+        return f"Unstable, even without pulsation: the whirl doubles {every} of the load."
+    nearest = table.nearest(excitation, _HIGHEST_ORDER)
+    words = f"Unstable: the whirl doubles {every} of the load."
+    if nearest is None:
+        return words
+    row, order = nearest
+    return f"{words} Tongue {row.name}{f' of order {order}' if order > 1 else ''}."
 
 
 def describe(
     state: State, floquet: FloquetSolution, bolotin: bool, pair: Pair | None, result: Result
 ) -> tuple[list[Fact], str]:
-    """Return the facts, as names and values, and the sentence of the marked point.
+    """Return the facts, as names and values, and the explanation of the marked point.
 
     Parameters
     ----------

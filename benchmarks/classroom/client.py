@@ -86,6 +86,7 @@ class User:
         self.seconds["socket"] = time.perf_counter() - start
         await self.ask(type="hello")
         self.seconds["data"] = time.perf_counter() - start
+        await self.ask(type="settle")  # the charts of the marked point
         return self.seconds["data"]
 
     async def get(self):

@@ -61,7 +61,15 @@ MOVES = {
     "si_polar_inertia": (0.03, set()),
 }
 FLOQUET = ("growth", "disagreement", "tongue", "tongue edge")  # coarser while inputs move
-INSPECTOR = {"marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"}
+INSPECTOR = {
+    "marker",
+    "marker_follows",
+    "marker_frequency",
+    "marker_factor",
+    "initial",
+    "seed",
+    "periods",
+}
 FLOATS = ("static_load_factor", "spin_speed", "shear", "disk_mass", "polar_inertia", "tangency")
 
 
@@ -115,11 +123,14 @@ def plain(value):
 
 
 def shown(layers):
-    """Columns by label, without layers that are empty: markers and edges come and go."""
+    """Columns by label, without layers that are empty: pins and edges come and go.
+
+    test_marked_point looks at the marks of the marked point.
+    """
     return {
         label: plain(columns)
         for label, columns in layers.items()
-        if any(len(column) for column in columns.values())
+        if any(len(column) for column in columns.values()) and not label.startswith("marker")
     }
 
 
@@ -178,8 +189,7 @@ def test_every_input_is_moved_by_a_test_and_has_a_control():
     placed = {name for _, _, names in GROUPS for name in names}
     assert placed == set(MOVES)
     # the others are the inspector's own
-    others = {"marker", "marker_frequency", "marker_factor", "initial", "seed", "periods"}
-    assert set(State().inputs()) - placed == others
+    assert set(State().inputs()) - placed == INSPECTOR
 
 
 def test_a_session_starts_with_the_solvers_picture(session):
@@ -630,7 +640,9 @@ def figures_drawn():
 
 
 def test_what_is_drawn_at_the_start_is_only_copied_for_users():
-    Session({"at": ["1"]}).respond({"type": "hello"})  # as a worker does before it serves
+    session = Session()  # as a worker does before it serves
+    for kind in ("hello", "settle"):
+        session.respond({"type": kind})
     made = figures_drawn()
     for query in ({"at": [b"1"], "f": [b"1.7"]}, {"u": [b"SI"], "at": [b"1"]}, {"ze": [b"0.02"]}):
         session = Session(query)

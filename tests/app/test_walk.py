@@ -10,8 +10,8 @@ def test_click_inspect_pin_share_reopen_export(open_page):
     chart = page.locator("[id='page-explore'], [data-page='explore']").locator(".plot.tall").first
     box = chart.bounding_box()
     page.mouse.click(box["x"] + 0.35 * box["width"], box["y"] + 0.5 * box["height"])
-    page.wait_for_function("rotorstab.last.values.marker === true")
-    page.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+    page.wait_for_function("rotorstab.last.values.marker_follows === false")
+    page.get_by_role("heading", name="The shaft in motion").wait_for(state="visible")
 
     page.locator(".pins summary").click()
     page.get_by_role("button", name="Pin curves").click()
@@ -28,7 +28,7 @@ def test_click_inspect_pin_share_reopen_export(open_page):
 
     again = open_page(1280, 900, link)
     assert again.evaluate("rotorstab.last.values") == pytest.approx(wanted)
-    again.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+    again.locator(".marker-handle").wait_for(state="visible")
 
     with again.expect_download(timeout=60_000) as download:
         again.locator("select.export[data-chart='instability']").select_option("csv")

@@ -134,7 +134,7 @@ OPEN = "?v=1&at=1&f=1.68&b=0.5&u=SI&spin=99&p1=spin_1~~slow&p2=load_follower~~fo
 def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
     page = open_page(width, 900, path=f"/app{OPEN}")
     page.set_default_timeout(60_000)
-    page.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+    page.get_by_role("heading", name="The shaft in motion").wait_for(state="visible")
     page.locator(".notice").get_by_text("Ignored in the address: spin").wait_for()
     for theme in themed(page):
         assert serious_faults(page) == [], theme

@@ -109,7 +109,7 @@ def test_the_policy_is_never_violated(page):
             (event) => window.violations.push(`${event.violatedDirective} ${event.blockedURI}`));
         }"""
     )
-    page.locator(".marker-keys").click()
+    page.locator(".marker-handle").press("ArrowUp")
     page.wait_for_function("rotorstab.last.inspector && Bokeh.documents[0].is_idle")
     with page.expect_download() as download:
         page.locator('select.export[data-chart="campbell"]').select_option("csv")

@@ -123,7 +123,7 @@ def test_a_page_that_lost_its_server_returns_with_state_pins_and_marker(browser,
         assert after["inspector"]["sentence"] == before["inspector"]["sentence"]
         assert page.locator(".lost").is_hidden()
         page.get_by_role("button", name="Compare the settings").wait_for(state="visible")
-        page.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+        page.get_by_role("heading", name="The shaft in motion").wait_for(state="visible")
     finally:
         context.close()
         server.stop()

@@ -77,11 +77,11 @@ def test_a_swipe_over_a_chart_scrolls_the_page(phone):
 def test_a_tap_places_the_marker(phone):
     x, y, width, height = phone.evaluate(CHART, "instability")
     phone.touchscreen.tap(x + 0.25 * width, y + 0.5 * height)
-    phone.wait_for_function("rotorstab.last.values.marker")
+    phone.wait_for_function("!rotorstab.last.values.marker_follows")
     values = phone.evaluate("rotorstab.last.values")
     assert values["marker_frequency"] == pytest.approx(0.25 * 16, abs=0.3)
     assert values["marker_factor"] == pytest.approx(0.5, abs=0.03)
-    phone.get_by_role("heading", name="Inside the point").wait_for(state="visible")
+    phone.get_by_role("heading", name="The shaft in motion").wait_for(state="visible")
     phone.wait_for_function("rotorstab.last.at_rest && Bokeh.documents[0].is_idle")
 
 

@@ -66,7 +66,12 @@ def texts_of(page, state):
     answer = page.answer(state)
     pins = answer["pins"] or {"rows": []}
     point = answer["inspector"]
-    found = [answer["verdict"], point["sentence"], *map(" ".join, point["facts"])]
+    found = [
+        answer["verdict"],
+        point["sentence"],
+        point["explanation"],
+        *map(" ".join, point["facts"]),
+    ]
     found += [" ".join(row) for row in pins["rows"]]
     found += list(answer["si"]["hints"].values())
     charts = page.compute(state)

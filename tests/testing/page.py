@@ -76,7 +76,7 @@ FRAME = """(key) => {
 def settle(page, name=None, value=None):
     """Wait for the full picture, of one input's value where that is given; return all inputs."""
     page.wait_for_function(
-        "([name, value]) => rotorstab.last.settled && "
+        "([name, value]) => rotorstab.last.settled && rotorstab.inspector.ready && "
         "(name === null || rotorstab.last.values[name] === value)",
         arg=[name, value],
     )

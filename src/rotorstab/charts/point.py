@@ -22,6 +22,7 @@ __all__ = [
 ]
 
 _NICE = np.array([1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 10.0])
+_ROUNDING = 1e-9  # of a time in periods
 _CIRCLE = np.linspace(0, 2 * np.pi, 181)
 
 
@@ -66,7 +67,7 @@ def multiplier_chart(multipliers: Complex) -> Chart:
 
 
 def response_chart(motion: TimeResponse) -> Chart:
-    """Return the tip's V and W over time in periods of the load, with the envelope e^(σt)."""
+    """Return the tip's V and W over whole periods of the load, with the envelope e^(σt)."""
     periods = motion.time / motion.period
     envelope = motion.envelope
     lines = Lines()
@@ -75,13 +76,14 @@ def response_chart(motion: TimeResponse) -> Chart:
         lines.add(periods[thin], sign * envelope[thin], f"envelope e^σt, {word}", "envelope")
     lines.add(periods, motion.displacement.imag, "W of the tip", "tip W")
     lines.add(periods, motion.displacement.real, "V of the tip", "tip V")
-    reach = _nice(1.04 * float(envelope.max()))
+    largest = max(float(envelope.max()), float(np.abs(motion.displacement).max()))
+    reach = _nice(1.04 * largest)
     return Chart(
         key="response",
         title="Response of the tip",
         x=Quantity("time in periods of the load", "t/T"),
-        y=Quantity("tip displacement", "V, W"),
-        x_range=(0.0, float(periods[-1])),
+        y=Quantity("tip", "V, W"),
+        x_range=(0.0, float(np.ceil(periods[-1] - _ROUNDING))),
         y_range=(-reach, reach),
         layers=(Layer("lines", "motion", lines.columns),),
     )

@@ -7,7 +7,7 @@ the monodromy, so a long response is as accurate as a short one.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -69,13 +69,38 @@ class TimeResponse:
 
     @property
     def envelope(self) -> Array:
-        """The smallest multiple of e^(σt) that is never below |U|, (m,)."""
+        """The multiple of e^(σt) that touches |U| in the second half of the time, (m,).
+
+        There it is never below |U|. At the start the motion may be above it, while the modes that
+        grow less are still large.
+        """
         # relative to the larger end of the exponential, so that nothing overflows
         shift = self.time[-1] if self.growth_rate > 0 else 0.0
         curve = np.exp(self.growth_rate * (self.time - shift))
+        late = slice(len(curve) // 2, None)
         with np.errstate(divide="ignore", invalid="ignore"):
-            touch = np.abs(self.displacement) / curve
+            touch = np.abs(self.displacement[late]) / curve[late]
         return np.asarray(np.nanmax(touch[np.isfinite(touch)], initial=0.0) * curve)
+
+    def until(self, displacement: float) -> TimeResponse:
+        """Return the response up to the first sample at which |U| exceeds a displacement.
+
+        Parameters
+        ----------
+        displacement : float
+            In the units of the start.
+
+        Returns
+        -------
+        TimeResponse
+            The same where |U| never exceeds it; at least two rows.
+        """
+        beyond = np.abs(self.displacement) > displacement * math.exp(-self.log_scale)
+        if not beyond.any():
+            return self
+        end = max(2, int(beyond.argmax()) + 1)
+        rows = ("time", "displacement", "slope", "load")
+        return replace(self, **{name: getattr(self, name)[:end] for name in rows})
 
 
 def _orbit_of_periods(monodromy: Complex, start: Complex, periods: int) -> Complex:

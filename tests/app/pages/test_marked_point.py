@@ -12,6 +12,7 @@ from app.pages.marked_point import INSPECTOR_CHARTS, inspect
 from app.reading.user_error import UserError
 from app.results.analysis import CHARTS, solve
 from app.results.limits import Detail
+from app.results.marked_point import EDGE
 from app.session import Session
 from app.state import State
 from app.state.address import from_arguments, to_query
@@ -55,13 +56,29 @@ def fact(answer, name):
 
 
 def test_without_a_marker_nothing_of_it_is_made():
-    session = Session()
-    answer = session.respond({"type": "hello"})
+    session = Session({"at": ["0"], "follow": ["0"]})
+    for kind in ("hello", "settle"):
+        answer = session.respond({"type": kind})
     assert answer["inspector"] is None
     assert answer["pins"] is None
     assert set(session.pages["explore"].charts) == set(CHARTS)
     for chart in session.pages["explore"].charts.values():
         assert not {"marker", "marker ruler", "pins"} & set(chart.sources)
+
+
+def test_a_page_opens_with_a_moving_shaft_and_its_charts_come_with_the_second_message():
+    session = Session()
+    assert set(session.pages["explore"].charts) == set(CHARTS)
+    answer = session.respond({"type": "hello"})
+    assert answer["inspector"]["sentence"].startswith("Unstable: the whirl doubles every ")
+    assert answer["inspector"]["sentence"].endswith(" periods of the load. Tongue 1B+1F.")
+    assert answer["inspector"]["motion"]["cut"]
+    assert set(session.pages["explore"].charts) == set(CHARTS)
+    session.respond({"type": "settle"})
+    assert set(session.pages["explore"].charts) == {*CHARTS, *INSPECTOR_CHARTS}
+    assert list(data(session, "instability", "marker")["x"]) == [
+        answer["values"]["marker_frequency"]
+    ]
 
 
 def test_the_marked_point_shows_what_the_solver_returns(session):
@@ -77,10 +94,11 @@ def test_the_marked_point_shows_what_the_solver_returns(session):
 
     lines = data(session, "response", "motion")
     w, v = lines["ys"][2:]
-    samples = (len(v) - 1) // 12
+    samples = (lines["xs"][3] < 1 - 1e-9).sum()
     motion = time_response(
         system, *point, initial_conditions(system, point[0], "knock"), 12, samples
-    )
+    ).until(EDGE)
+    assert abs(motion.displacement[-1]) > EDGE > abs(motion.displacement[:-1]).max()
     np.testing.assert_allclose(v + 1j * w, motion.displacement, rtol=1e-12, atol=1e-12)
     orbit = data(session, "orbit", "orbit")
     np.testing.assert_array_equal(orbit["xs"][0], v)
@@ -89,14 +107,14 @@ def test_the_marked_point_shows_what_the_solver_returns(session):
     assert float(fact(answer, "Growth rate σ̄")) == pytest.approx(rate, rel=1e-3)
     assert fact(answer, "Floquet") == "unstable"
     assert fact(answer, "Doubles in").startswith(f"{np.log(2) / rate / motion.period:.3g} periods")
-    assert "Bolotin agrees" in answer["inspector"]["sentence"]
+    assert "Bolotin agrees" in answer["inspector"]["explanation"]
 
 
 def test_a_bolotin_region_without_a_tongue_is_told_as_such(session):
     answer = change(session, **FALSE)
     assert fact(answer, "Floquet") == "stable"
     assert fact(answer, "Bolotin") == "inside a Bolotin region"
-    assert "no multiplier has left the unit circle" in answer["inspector"]["sentence"]
+    assert "no multiplier has left the unit circle" in answer["inspector"]["explanation"]
     assert data(session, "multipliers", "growing multipliers")["x"].size == 0
 
 
@@ -125,18 +143,37 @@ def test_the_marker_stays_in_its_units_and_marks_every_chart(session):
     assert ruler[1] - ruler[0] == pytest.approx(excitation)
 
 
-def test_the_motion_comes_at_rest_and_equals_the_chart(session):
-    assert "motion" not in change(session, **UNSTABLE)["inspector"]
-    motion = session.respond({"type": "settle"})["inspector"]["motion"]
+def test_the_motion_comes_with_every_change_and_equals_the_chart(session):
+    motion = change(session, **UNSTABLE)["inspector"]["motion"]
+    assert motion == session.respond({"type": "settle"})["inspector"]["motion"]
     tip = floats(motion["tip"])
     w, v = data(session, "response", "motion")["ys"][2:]
-    np.testing.assert_allclose(tip[0] * motion["largest"], v, rtol=0, atol=1e-5)
-    np.testing.assert_allclose(tip[1] * motion["largest"], w, rtol=0, atol=1e-5)
-    assert np.hypot(tip[0], tip[1]).max() == pytest.approx(1, abs=1e-6)
+    np.testing.assert_allclose(tip[0] * EDGE, v, rtol=0, atol=1e-5)
+    np.testing.assert_allclose(tip[1] * EDGE, w, rtol=0, atol=1e-5)
+    assert motion["edge"] == EDGE
     # the shapes are clamped at the root and meet the tip
     assert [row[0] for row in motion["shapes"]] == [0, 0]
     assert [row[-1] for row in motion["shapes"]] == pytest.approx([1, 0], abs=1e-6)
     assert len(json.dumps(motion)) < 150_000
+
+
+def test_the_scale_is_fixed_growth_reaches_the_edge_and_a_stable_motion_stays_small(session):
+    sizes = {}
+    for name, values in (("unstable", UNSTABLE), ("stable", UNSTABLE | {"marker_frequency": 3.0})):
+        motion = change(session, **values)["inspector"]["motion"]
+        sizes[name] = np.hypot(*floats(motion["tip"])[:2])
+        assert motion["cut"] == (name == "unstable")
+    first = motion["samples"]
+    assert sizes["unstable"][:first].max() < 0.2
+    assert sizes["unstable"][-1] > 1 > sizes["unstable"][:-1].max()
+    assert sizes["stable"].max() < 0.2
+
+
+def test_a_number_of_periods_is_shown_as_a_whole(session):
+    change(session, **UNSTABLE, periods=12)
+    lines = data(session, "response", "motion")
+    assert lines["xs"][3][-1] == pytest.approx(12)
+    assert abs(lines["ys"][3]).max() > EDGE
 
 
 @pytest.mark.parametrize("initial", State.param.initial.objects)
@@ -147,7 +184,7 @@ def test_every_start_has_a_motion(session, initial):
 
 
 def test_a_seed_gives_one_noise(session):
-    change(session, **UNSTABLE, initial="noise", seed=4)
+    change(session, **UNSTABLE, initial="noise", seed=4, periods=3)
     first = np.array(data(session, "response", "motion")["ys"][3])
     change(session, seed=5)
     assert (np.array(data(session, "response", "motion")["ys"][3]) != first).any()
@@ -212,6 +249,7 @@ def test_the_address_holds_the_point_and_its_start():
     again, doubtful = from_arguments(arguments)
     assert doubtful == []
     assert again.items() >= values.items()
+    assert again["marker_follows"] is False
 
 
 @pytest.mark.parametrize(
@@ -221,14 +259,15 @@ def test_the_address_holds_the_point_and_its_start():
         {"marker_factor": 1e308},
         {"marker": 1},
         {"initial": "mode 9F"},
-        {"periods": 0},
+        {"periods": -1},
         {"seed": "<b>"},
     ],
 )
 def test_forged_values_are_refused(session, values):
+    before = session.state.inputs()
     answer = change(session, **values)
     assert set(answer["errors"]) == set(values)
-    assert answer["inspector"] is None
+    assert session.state.inputs() == before
 
 
 def test_charts_equal_their_layers(session):
@@ -299,12 +338,11 @@ def settled(page):
 def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page = open_page(reduced_motion="reduce")
     page.set_default_timeout(60_000)
-    page.get_by_text("Click the instability chart to mark a point.").wait_for()
     box = page.locator("[data-page=explore] .plot.tall").bounding_box()
     page.mouse.click(box["x"] + 0.2 * box["width"], box["y"] + 0.6 * box["height"])
     settled(page)
+    page.wait_for_function("!rotorstab.last.values.marker_follows")
     values = page.evaluate("rotorstab.last.values")
-    assert values["marker"] is True
     assert 0.5 < values["marker_frequency"] < 6
     assert 0.1 < values["marker_factor"] < 0.9
 
@@ -312,20 +350,15 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page.locator("[data-marker=marker_frequency]").press("Enter")
     page.locator("[data-marker=marker_factor]").fill("0.49")
     page.locator("[data-marker=marker_factor]").press("Enter")
-    page.locator(".marker-keys").focus()
-    page.keyboard.press("ArrowRight")
-    page.keyboard.press("ArrowUp")
-    page.wait_for_function(
-        "rotorstab.last.values.marker_frequency === 1.68"
-        " && rotorstab.last.values.marker_factor === 0.5"
-    )
+    page.wait_for_function("rotorstab.last.values.marker_factor === 0.49")
     settled(page)
-    assert "unstable" in page.locator("[data-point]").inner_text()
+    assert page.locator("[data-point]").inner_text().startswith("Unstable: ")
 
     state = State()
     state.change(page.evaluate("rotorstab.last.values"))
     found = inspect(state, solve(state))
     motion = found.response
+    page.wait_for_function("Bokeh.documents[0].is_idle")
     np.testing.assert_allclose(
         drawn(page, "response", "V of the tip", "ys"), motion.displacement.real, atol=1e-12
     )
@@ -333,22 +366,23 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
         drawn(page, "orbit", "path of the tip", "ys"), motion.displacement.imag, atol=1e-12
     )
     # the animation: paused for those who want no motion; a step moves it
-    assert page.evaluate("rotorstab.shaft.state.playing") is False
+    assert page.evaluate("rotorstab.motion.state.playing") is False
     page.locator(".shaft-side").scroll_into_view_if_needed()
-    page.locator(".shaft-step").click()
-    assert page.evaluate("rotorstab.shaft.state.index") > 0
-    tip = page.evaluate("Array.from(rotorstab.shaft.state.rows[0])")
-    np.testing.assert_allclose(
-        np.array(tip) * found.motion["largest"], motion.displacement.real, rtol=0, atol=1e-5
-    )
+    page.locator(".shaft-side").press("ArrowRight")
+    assert page.evaluate("rotorstab.motion.state.index") > 0
+    tip = page.evaluate("Array.from(rotorstab.motion.state.rows[0])")
+    np.testing.assert_allclose(np.array(tip) * EDGE, motion.displacement.real, rtol=0, atol=1e-5)
     page.locator(".shaft-play").click()
-    page.wait_for_function("rotorstab.shaft.state.playing")
+    page.wait_for_function("rotorstab.motion.state.playing")
     page.locator("a[href='#stiffness']").click()
-    page.wait_for_function("!rotorstab.shaft.state.playing")
+    page.wait_for_function("!rotorstab.motion.state.playing")
     page.locator("a[href='#explore']").click()
     page.locator(".marker-remove").click()
     page.wait_for_function("rotorstab.last.inspector === null")
-    page.get_by_text("Click the instability chart to mark a point.").wait_for()
+    assert page.locator(".shaft").is_hidden()
+    assert page.locator("[data-point]").inner_text().startswith("No point is marked")
+    page.locator(".marker-keys").click()
+    page.locator(".shaft").wait_for(state="visible")
 
 
 @pytest.mark.parametrize(

@@ -229,7 +229,8 @@ def test_each_pin_of_an_address_is_solved_in_a_turn_of_its_own(monkeypatch):
     session = Session(arguments("spin=1&at=1&p1=spin_2~~a&p3=spin_3~~c"))
     explore = session.pages["explore"]
     assert not set(explore.charts) & {"response", "orbit"}  # the marked point waits too
-    session.respond({"type": "hello"})
+    for kind in ("hello", "settle"):
+        session.respond({"type": kind})
     assert {"response", "orbit"} <= set(explore.charts)
     told = []
     monkeypatch.setattr(session.controls, "send", told.append)

@@ -289,10 +289,12 @@ def test_whatever_comes_the_state_holds_and_only_good_values_move_it(values):
     assert set(errors) <= set(values)
     # moving the tangency means a partly follower load, moving E, G, ρ or κ an own material
     own = {"youngs_modulus", "shear_modulus", "density", "shear_coefficient"}
+    place = {"marker_frequency", "marker_factor"}  # a moved marker follows no tongue
     for name, value in state.inputs().items():
         moved = name in values and name not in errors
         followed = name == "load_type" and "tangency" in values and "tangency" not in errors
         followed |= name == "material" and bool((own & set(values)) - set(errors))
+        followed |= name == "marker_follows" and bool((place & set(values)) - set(errors))
         if moved:
             assert value == values[name]
         elif not followed:

@@ -171,14 +171,14 @@ def test_a_point_is_told_in_hertz_newtons_and_seconds(extra):
     result = solve(state, Detail.COARSE)
     si = inspect(state, result)
     facts, old = dict(si.facts), dict(plain.facts)
-    texts = [si.sentence, *facts, *facts.values(), si.charts["response"].x_label]
+    texts = [si.sentence, si.explanation, *facts, *facts.values(), si.charts["response"].x_label]
     assert not [text for text in texts if "\u0304" in text or "θ/ωₙ" in text]
     excitation = state.marker_frequency * result.numbers["fundamental"]
-    assert numbers_of(si.sentence, r"At θ/2π = ([\d.]+)\u00a0Hz") == pytest.approx(
+    assert numbers_of(si.explanation, r"At θ/2π = ([\d.]+)\u00a0Hz") == pytest.approx(
         [excitation * HERTZ], rel=1e-3
     )
     load = state.marker_factor * result.numbers["reference"] * SCALES.load
-    assert numbers_of(si.sentence, r"P_t = ([\d.]+)\u00a0N")[0] == pytest.approx(load, rel=1e-3)
+    assert numbers_of(si.explanation, r"P_t = ([\d.]+)\u00a0N")[0] == pytest.approx(load, rel=1e-3)
     period = numbers_of(facts["Period T of the load"], r"([\d.]+)\u00a0s")
     assert period == pytest.approx([1 / (excitation * HERTZ)], rel=1e-3)
     for name, factor, unit in (("Doubles in", 1, "s"), ("Halves in", 1, "s")):

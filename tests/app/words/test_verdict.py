@@ -119,7 +119,7 @@ def test_inspector_and_verdict_agree_on_a_tongue_that_damping_holds_down():
     threshold = f"{first.threshold / result.floquet.reference_load:.3f}"
     held = f"stable up to β_d = {threshold}, where the tongue {first.name} begins"
     assert held in verdict(result.floquet)
-    sentence = inspect(state, result).sentence
+    sentence = inspect(state, result).explanation
     assert f"makes a tongue that, to first order, begins at β_d = {threshold}" in sentence
     assert "no tongue" not in sentence
 
@@ -128,7 +128,7 @@ def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
     values = {"external_damping": 0.01, "internal_damping": 0.05, "spin_speed": 3.0}
     state, result = solved(values | {"marker": True, "marker_frequency": 9.9, "marker_factor": 0.2})
     assert result.floquet.table.mean_growth > 0
-    sentence = inspect(state, result).sentence
+    sentence = inspect(state, result).explanation
     assert "grows by itself" in sentence
     assert "misses" not in sentence
 
