@@ -85,6 +85,22 @@ def test_a_tap_places_the_marker(phone):
     phone.wait_for_function("rotorstab.last.at_rest && Bokeh.documents[0].is_idle")
 
 
+def test_a_finger_drags_the_marker_and_the_page_stays(phone):
+    phone.evaluate(CHART, "instability")  # in view
+    box = phone.locator(".marker-handle").bounding_box()
+    assert min(box["width"], box["height"]) >= 44
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    before = phone.evaluate("[scrollY, rotorstab.last.values.marker_factor]")
+    swipe(phone, (x, y), (x + 60, y - 40))
+    phone.wait_for_function("rotorstab.last.values.marker_follows === false")
+    values = phone.evaluate("rotorstab.last.values")
+    assert values["marker_frequency"] > 2.5
+    assert values["marker_factor"] > before[1] + 0.05
+    assert phone.evaluate("scrollY") == before[0]
+    assert phone.evaluate(ZOOM, "instability") == [0, 0]
+    phone.wait_for_function("rotorstab.last.at_rest && Bokeh.documents[0].is_idle")
+
+
 def test_drawer_slider_and_menus_work_under_a_finger(phone):
     sidebar = phone.locator("#sidebar")
     phone.get_by_role("button", name="Parameters", exact=True).tap()
