@@ -48,6 +48,8 @@ class Explore(Page):
         super().__init__()
         self.pins: list[Pin] = []
         self._unsolved_pins: list[PinnedInputs] = []  # of the address
+        # the last inspection, and what it was made of
+        self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
 
     @classmethod
     def fragment(cls) -> str:
@@ -82,13 +84,20 @@ class Explore(Page):
         """Return names, numbers and inputs of the pins, which the charts show."""
         return tuple((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
 
-    @staticmethod
-    def _inspect(state: State, result: Result) -> Inspection | str:
-        """Return the inspection of the marked point, or the reason why there is none."""
-        try:
-            return inspect(state, result)
-        except ValueError as error:
-            return user_message(error)
+    def _inspect(self, state: State, result: Result) -> Inspection | str:
+        """Return the inspection of the marked point, or the reason why there is none.
+
+        The charts and the answer to one message share it.
+        """
+        inputs = tuple(state.inputs().values())
+        if self._inspected is None or self._inspected[:2] != (inputs, result):
+            found: Inspection | str
+            try:
+                found = inspect(state, result)
+            except ValueError as error:
+                found = user_message(error)
+            self._inspected = inputs, result, found
+        return self._inspected[2]
 
     def visible(self, state: State) -> dict[str, bool]:
         """Return by label whether a layer of the instability chart is switched on."""
