@@ -15,13 +15,14 @@ from rotorstab.charts import ROLES, Role
 from rotorstab.drawing.formats import FORMATS
 
 from .background.threads import turn
+from .exports.rows import input_labels
 from .pages import PAGES
 from .pages.lessons import cards
 from .results.curves import curves_name
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
-STYLES = ("page.css", "inspector.css", "shaft.css", "lessons.css")
+STYLES = ("page.css", "inspector.css", "shaft.css", "lessons.css", "print.css")
 # connection.js stands before Bokeh's files; each script adds to what those before it made
 SCRIPTS = (
     "messages.js",
@@ -35,6 +36,7 @@ SCRIPTS = (
     "shaft.js",
     "inspector.js",
     "lessons.js",
+    "print.js",
 )
 # which of these are drawn depends on the load type and the stiffness law
 LOADS = tuple(
@@ -162,6 +164,7 @@ def build() -> pn.Template:
     template.add_variable("download", download)
     template.add_variable("formats", tuple(FORMATS))
     template.add_variable("looks", session.looks())
+    template.add_variable("labels", input_labels())
     return template
 
 

@@ -12,7 +12,9 @@ from .background.processes import background
 from .background.settling import Settling
 from .background.threads import Scheduler
 from .exports.files import Files, export, report
-from .exports.snippet import python_snippet
+from .exports.picture import picture
+from .exports.program import notebook_text, program_text
+from .exports.snippet import python_cells
 from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply, Stage
@@ -26,7 +28,7 @@ __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
 # messages that ask for a file, which takes longer than an answer may
-_MAKE_FILES = ("export", "report", "figure")
+_MAKE_FILES = ("export", "report", "picture", "figure")
 
 
 class Session:
@@ -60,7 +62,12 @@ class Session:
             "reset": self._reset,
             "view": lambda message: Reply(reset_view=True),
             "page": self._turn_to_page,
-            "export": lambda message: export(self.pages[self.active], self.state, message),
+            "export": lambda message: export(
+                self.pages[self.active], self.state, message, self.query()
+            ),
+            "picture": lambda message: picture(
+                self.pages[PAGES[0].key], self.state, self.query(), message
+            ),
             "report": lambda message: report(
                 self.pages[PAGES[0].key], self.state, self.query(), message
             ),
@@ -158,11 +165,12 @@ class Session:
         return Reply()
 
     def python(self) -> Reply:
-        """Return the view as a program."""
+        """Return the view as a program and as a notebook."""
         try:
-            return Reply({"python": python_snippet(self.state)})
+            cells = python_cells(self.state)
         except ValueError as error:
             return Reply({"told": user_message(error)})
+        return Reply({"python": {"py": program_text(cells), "ipynb": notebook_text(cells)}})
 
     def _describe(self, errors: Mapping[str, str], at_rest: bool = True) -> dict[str, Any]:
         """Return what every answer says of the session."""

@@ -1,4 +1,4 @@
-"""`rotorstab serve`: serves the dashboard, with the options that one person needs.
+"""The dashboard's own commands: `rotorstab serve` and `rotorstab picture`.
 
 The command line of the library finds `add_command` through the entry-point group
 `rotorstab.commands` of pyproject.toml, so the library never imports the dashboard. This module
@@ -38,7 +38,12 @@ OPTIONS = ("address", "port", "workers")
 
 
 def add_command(commands: Any) -> None:
-    """Add the command `serve` to the sub-parsers of argparse."""
+    """Add the commands `serve` and `picture` to the sub-parsers of argparse."""
+    _add_serve(commands)
+    _add_picture(commands)
+
+
+def _add_serve(commands: Any) -> None:
     parser: argparse.ArgumentParser = commands.add_parser(
         "serve",
         help="serve the dashboard",
@@ -56,6 +61,26 @@ def add_command(commands: Any) -> None:
                 f"variable {setting['name']} says)",
             )
     parser.set_defaults(run=serve)
+
+
+def _add_picture(commands: Any) -> None:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        "picture",
+        help="a view of the dashboard as one page, without a browser",
+        description="Write what a link of the dashboard shows as one page of A4: the charts, the "
+        "marked point, the pins, the parameters and the link.",
+    )
+    parser.add_argument(
+        "view",
+        metavar="STATE_OR_LINK",
+        help="a link as Copy link gives it (in quotes), its query alone, such as "
+        "'as=0.5&spin=2', or a rotor file .toml",
+    )
+    parser.add_argument(
+        "--output", metavar="FILE", required=True, help="the file to write: .pdf .svg .png"
+    )
+    parser.add_argument("--force", action="store_true", help="overwrite an existing file")
+    parser.set_defaults(run=save_picture)
 
 
 def _checked(kind: Kind) -> Callable[[str], str]:
@@ -80,12 +105,7 @@ def serve(arguments: argparse.Namespace) -> None:
     SettingError
         Where the extra `app` is not installed, or a setting of the environment is wrong.
     """
-    missing = [name for name in NEEDED if find_spec(name) is None]
-    if missing:
-        raise SettingError(
-            f"the dashboard needs {', '.join(missing)}, which is not installed: "
-            "pip install 'rotorstab[app]'"
-        )
+    _check_installed()
     environment = dict(os.environ)
     for entry in fields(Settings):
         value = getattr(arguments, entry.name, None)
@@ -95,3 +115,40 @@ def serve(arguments: argparse.Namespace) -> None:
     # A new program, because the command line computes with floating-point errors raised. -P: a
     # folder `app` or `deploy` in the working directory is not taken for the installed one.
     os.execve(sys.executable, [sys.executable, "-P", "-m", module], environment)
+
+
+def save_picture(arguments: argparse.Namespace) -> None:
+    """Write the picture of a view to the file of `--output`.
+
+    Raises
+    ------
+    ValueError
+        With one line, where the view is not understood, the ending of the file is none of a
+        picture, or the file exists; `SettingError` where the extra `app` is not installed.
+    OSError
+        Where a file cannot be read or written.
+    """
+    _check_installed()
+    import numpy as np
+
+    from app.exports.shell import described_sheet
+    from rotorstab.cli.output import output_format, output_path
+    from rotorstab.drawing.files import write_file
+    from rotorstab.drawing.formats import PICTURE_FORMATS
+    from rotorstab.drawing.printed_sheet import sheet_files
+
+    kind = output_format(arguments.output, PICTURE_FORMATS)
+    path = output_path(arguments)
+    # the command line raises floating-point errors; the dashboard's code expects NaN
+    with np.errstate(over="warn", divide="warn", invalid="warn"):
+        data = sheet_files(described_sheet(arguments.view), (kind,))[kind]
+    write_file(path, data, arguments.force)
+
+
+def _check_installed() -> None:
+    missing = [name for name in NEEDED if find_spec(name) is None]
+    if missing:
+        raise SettingError(
+            f"the dashboard needs {', '.join(missing)}, which is not installed: "
+            "pip install 'rotorstab[app]'"
+        )

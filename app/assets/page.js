@@ -62,6 +62,7 @@
     for (const view of Bokeh.index) walk(view);
   };
 
+  page.setTheme = setTheme;
   function setTheme(name, keep) {
     root.dataset.theme = name;
     // the button names the theme that a click chooses
@@ -240,7 +241,11 @@
 
   // -- copying: where the browser does not allow it, the text is selected in a dialog ----
   const dialog = () => document.querySelector("dialog.code");
-  function offer(title, text) {
+  let files = {}; // of the text in the dialog, by their ending
+  const MIMES = { py: "text/x-python", ipynb: "application/x-ipynb+json" };
+  function offer(title, text, found = {}) {
+    files = found;
+    for (const button of dialog().querySelectorAll("[data-get]")) button.hidden = !(button.dataset.get in files);
     dialog().querySelector("h2").textContent = title;
     dialog().querySelector("code").textContent = text;
     dialog().classList.toggle("link", title.startsWith("Link"));
@@ -262,6 +267,15 @@
     tell(done ? `${what} has been copied.` : `${what} is selected: copy it with Ctrl+C (⌘C on a Mac; on a touch screen, press and hold it).`);
   }
 
+  // -- saving: the browser's own download -----------------------------------------------
+  page.save = (name, blob) => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  };
+
   // -- the address: the state of the last answer, and the page in view --------------
   let query = "";
   function address() {
@@ -270,6 +284,8 @@
   }
 
   page.address = address;
+  // the page's own address, which files give with the query of the view
+  page.here = () => location.origin + location.pathname;
 
   function fill(selector, words) {
     const place = document.querySelector(selector);
@@ -311,7 +327,7 @@
     page.lessons.answer(data);
     page.inspector.answer(data);
     page.units.answer(data);
-    if (data.python) offer("This view as Python", data.python);
+    if (data.python) offer("This view as Python", data.python.py, data.python);
     if (data.told !== undefined) tell(data.told);
     if (data.resting && !page.left) address(); // nothing else is new
     if (!data.values) return;
@@ -359,14 +375,22 @@
     showLayers(Object.fromEntries(LAYERS.map((name) => [name, root.dataset[name] !== "false"])));
     showGrowthUnit(root.dataset);
     document.querySelector("button.python").addEventListener("click", () => page.send({ type: "python" }));
-    document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: location.origin + location.pathname }));
+    document.querySelector("button.report").addEventListener("click", () => page.send({ type: "report", at: page.here() }));
+    for (const button of document.querySelectorAll("[data-picture]")) {
+      button.addEventListener("click", () => page.send({ type: "picture", format: button.dataset.picture, at: page.here() }));
+    }
+    for (const button of dialog().querySelectorAll("[data-get]")) {
+      const kind = button.dataset.get;
+      button.addEventListener("click", () => page.save(`rotorstab-view.${kind}`, new Blob([files[kind]], { type: MIMES[kind] })));
+    }
     dialog().querySelector(".shut").addEventListener("click", () => dialog().close());
     dialog().querySelector(".copy").addEventListener("click", async () => {
       if (!await copy(dialog().querySelector("code").textContent, "The text")) copySelected("The text");
     });
-    const more = document.querySelector("details.more");
-    more.addEventListener("click", (event) => { if (event.target.tagName === "BUTTON") more.open = false; });
-    document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
+    for (const more of document.querySelectorAll("details.more")) {
+      more.addEventListener("click", (event) => { if (event.target.tagName === "BUTTON") more.open = false; });
+      document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
+    }
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
     window.addEventListener("popstate", visit); // fires for a change of the hash and for Back to another query

@@ -77,22 +77,18 @@ window.rotorstab.paper = (() => {
 
   function save({ name, mime, base64 }) {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([bytes], { type: mime }));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    page.save(name, new Blob([bytes], { type: mime }));
   }
 
   document.addEventListener("DOMContentLoaded", () => {
     for (const button of document.querySelectorAll("[data-figure]")) button.addEventListener("click", () => ask(Number(button.dataset.figure)));
     document.querySelector("#paper-floquet").addEventListener("change", () => ask(current));
     for (const button of place("downloads").querySelectorAll("button")) {
-      button.addEventListener("click", () => page.send({ type: "export", number: current, floquet: floquet(), format: button.dataset.format }));
+      button.addEventListener("click", () => page.send({ type: "export", number: current, floquet: floquet(), format: button.dataset.format, at: page.here() }));
     }
     for (const select of document.querySelectorAll("select.export")) {
       select.addEventListener("change", () => {
-        if (select.value) page.send({ type: "export", chart: select.dataset.chart, format: select.value });
+        if (select.value) page.send({ type: "export", chart: select.dataset.chart, format: select.value, at: page.here() });
         select.value = "";
       });
     }

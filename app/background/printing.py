@@ -1,4 +1,4 @@
-"""Files of figures, made one after the other by one process.
+"""Files of figures and sheets, made one after the other by one process.
 
 Matplotlib needs about a second for a picture; a table of a map takes half a second. The last files
 are kept.
@@ -14,7 +14,8 @@ from functools import partial
 from threading import Lock
 from typing import Any
 
-from rotorstab.drawing import printed
+from rotorstab.charts.sheet import Sheet
+from rotorstab.drawing import printed, printed_sheet
 from rotorstab.drawing.formats import TABLE_FORMATS
 from rotorstab.paper import Figure
 
@@ -27,12 +28,14 @@ __all__ = ["Printer", "gather", "printer"]
 class _Job:
     """A file that was requested."""
 
-    figure: Figure
+    figure: Figure | Sheet
     kind: str
     future: Future[bytes] = field(default_factory=Future)
 
     def begin(self, worker: Worker) -> Future[Any]:
         """Return the future of the process's call."""
+        if isinstance(self.figure, Sheet):
+            return worker.call(printed_sheet.sheet_files, self.figure, (self.kind,))
         if self.kind in TABLE_FORMATS:
             return worker.call(TABLE_FORMATS[self.kind].figure, self.figure)
         return worker.call(printed.figure_files, self.figure, (self.kind,))
@@ -64,17 +67,17 @@ class Printer:
         self._running = False
 
     def file(
-        self, key: Hashable, figure: Figure, kind: str, owner: Hashable = None
+        self, key: Hashable, figure: Figure | Sheet, kind: str, owner: Hashable = None
     ) -> Future[bytes]:
-        """Return the future of a figure's file.
+        """Return the future of a figure's file, or of a sheet's.
 
         Parameters
         ----------
         key : hashable
             What the figure shows; the same key and kind give the same future.
-        figure : Figure
+        figure : Figure or Sheet
         kind : str
-            A name in `rotorstab.drawing.formats.FORMATS`.
+            A name in `rotorstab.drawing.formats.FORMATS`; for a sheet in `PICTURE_FORMATS`.
         owner : hashable
             On whose behalf the file is made. Of two owners with requests each has every second
             turn.

@@ -13,11 +13,13 @@ from base64 import b64encode
 from collections.abc import Callable, Mapping
 from concurrent.futures import CancelledError, Future
 from copy import copy
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from rotorstab.charts import Chart, chart_figure
-from rotorstab.drawing.formats import FORMATS
+from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS
+from rotorstab.drawing.plain_text import parameter_words
 
 from ..background.printing import gather, printer
 from ..background.processes import background
@@ -29,9 +31,19 @@ from ..results.comparisons import paper_figure
 from ..state import State
 from ..words.refusals import user_message
 from ..words.si import named_inputs
-from .report import page_address, report_html
+from .report import page_address, report_html, report_paragraphs, view_link
+from .rows import parameter_sentence
+from .seen import as_seen, zooms
 
-__all__ = ["Files", "export", "making", "report"]
+__all__ = [
+    "Files",
+    "export",
+    "file_message",
+    "making",
+    "making_message",
+    "report",
+    "snapshot",
+]
 
 _LOG = logging.getLogger("rotorstab.app")
 MOST_FILES, MOST_WAITING = 8, 60
@@ -143,7 +155,7 @@ class Files:
                 background.withdraw(need.function, *need.arguments)
 
 
-def _file(name: str, mime: str, data: bytes) -> dict[str, Any]:
+def file_message(name: str, mime: str, data: bytes) -> dict[str, Any]:
     """Return a file in the form that the browser saves."""
     return {
         "told": f"{name} is ready",
@@ -151,30 +163,44 @@ def _file(name: str, mime: str, data: bytes) -> dict[str, Any]:
     }
 
 
-def _snapshot(page: Page, state: State) -> tuple[Page, State]:
+def snapshot(page: Page, state: State) -> tuple[Page, State]:
     """Return copies of a page and a state: a file shows the page as it was at the request."""
     return copy(page), State(**state.inputs())
 
 
-def export(page: Page, state: State, message: Mapping[str, Any]) -> Reply:
-    """Return the answer to a request for a live chart or a figure of the paper as a file."""
+def export(page: Page, state: State, message: Mapping[str, Any], query: str = "") -> Reply:
+    """Return the answer to a request for a live chart or a figure of the paper as a file.
+
+    Parameters
+    ----------
+    page : Page
+        Whose live charts they are.
+    state : State
+    message : mapping
+        From the browser.
+    query : str
+        The view's address query, which the file gives.
+    """
     kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
     if not isinstance(kind, str) or kind not in FORMATS:
         return Reply({"told": "no such file format"})
     if isinstance(chart, str) and chart in page.charts:
-        return _export_chart(page, state, chart, kind)
+        link = view_link(message.get("at"), query)
+        return _export_chart(page, state, chart, kind, link)
     if is_figure(number):
-        return _export_figure(state, number, message.get("floquet") is True, kind)
+        return _export_figure(state, number, message.get("floquet") is True, kind, message)
     return Reply({"told": "no such chart"})
 
 
-def _making_message(name: str) -> dict[str, str]:
+def making_message(name: str) -> dict[str, str]:
+    """Return what the user is told while a file is being made."""
     return {"told": f"making {name} …"}
 
 
-def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
+def _export_chart(page: Page, owner: State, chart: str, kind: str, link: str) -> Reply:
     name = f"rotorstab-{chart}.{kind}"
-    page, state = _snapshot(page, owner)
+    seen = zooms(page)
+    page, state = snapshot(page, owner)
 
     def answer() -> Reply:
         try:
@@ -183,35 +209,37 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str) -> Reply:
             return Reply({"told": user_message(error)})
         if drawn is None:  # the inspector's, after its marker is gone
             return Reply({"told": "no such chart"})
-        file = _print_chart(drawn, chart, kind, page, state, owner)
-        return Reply(_making_message(name), file, partial(_file, name, FORMATS[kind].mime))
+        if kind in PICTURE_FORMATS:
+            drawn = as_seen({chart: drawn}, page, state, seen)[chart]
+        parameters = named_inputs(state.inputs())
+        figure = chart_figure(drawn, parameters, parameter_sentence(state), link)
+        cache_key = (chart, link, seen[chart], *state.inputs().values(), *page.cache_key())
+        file = printer.file(cache_key, figure, kind, owner)
+        return Reply(making_message(name), file, partial(file_message, name, FORMATS[kind].mime))
 
-    return Reply(_making_message(name), follow_up=(page.need(state), answer))
-
-
-def _print_chart(
-    chart: Chart, key: str, kind: str, page: Page, state: State, owner: State
-) -> Future[bytes]:
-    """Return the future of a chart's file; equal charts are printed once."""
-    inputs = state.inputs()
-    cache_key = (key, *inputs.values(), *page.cache_key())
-    return printer.file(cache_key, chart_figure(chart, named_inputs(inputs)), kind, owner)
+    return Reply(making_message(name), follow_up=(page.need(state), answer))
 
 
-def _export_figure(owner: State, number: int, floquet: bool, kind: str) -> Reply:
+def _export_figure(
+    owner: State, number: int, floquet: bool, kind: str, message: Mapping[str, Any]
+) -> Reply:
     name = f"rotorstab-figure-{number}{'-floquet' if floquet else ''}.{kind}"
+    address = page_address(message.get("at"))
+    link = f"{address}#paper" if address else ""
 
     def answer() -> Reply:
-        file = printer.file((number, floquet), paper_figure(number, floquet), kind, owner)
-        return Reply(_making_message(name), file, partial(_file, name, FORMATS[kind].mime))
+        figure = paper_figure(number, floquet)
+        figure = replace(figure, footer=parameter_words(figure.parameters), link=link)
+        file = printer.file((number, floquet, link), figure, kind, owner)
+        return Reply(making_message(name), file, partial(file_message, name, FORMATS[kind].mime))
 
-    return Reply(_making_message(name), follow_up=(figure_need(number, floquet), answer))
+    return Reply(making_message(name), follow_up=(figure_need(number, floquet), answer))
 
 
 def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) -> Reply:
     """Return the answer to a request for the report of the Explore view, with marker and pins."""
     name = "rotorstab-report.html"
-    page, state = _snapshot(explore, owner)
+    page, state = snapshot(explore, owner)
 
     def answer() -> Reply:
         try:
@@ -221,32 +249,23 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
         except ValueError as error:
             return Reply({"told": user_message(error)})
         pictures = {
-            charts[key].title: _print_chart(charts[key], key, "svg", page, state, owner)
-            for key in CHARTS
+            charts[key].title: _print_part(charts[key], page, state, owner) for key in CHARTS
         }
 
         def file_content(svgs: list[bytes]) -> dict[str, Any]:
             by_title = {title: svg.decode() for title, svg in zip(pictures, svgs, strict=True)}
             address = page_address(message.get("at"))
-            paragraphs = _paragraphs(content)
+            paragraphs = report_paragraphs(content)
             html = report_html(state, result.numbers, paragraphs, by_title, query, address)
-            return _file(name, "text/html", html.encode())
+            return file_message(name, "text/html", html.encode())
 
-        return Reply(_making_message(name), gather(list(pictures.values())), file_content)
+        return Reply(making_message(name), gather(list(pictures.values())), file_content)
 
-    return Reply(_making_message(name), follow_up=(page.need(state), answer))
-
-
-def _point_words(point: Mapping[str, Any]) -> str:
-    return f"{point['sentence']} {point['explanation']}".strip()
+    return Reply(making_message(name), follow_up=(page.need(state), answer))
 
 
-def _paragraphs(content: Mapping[str, Any]) -> list[str]:
-    """Return the text of the report from what the Explore page answers."""
-    paragraphs = [content["verdict"]]
-    if content["inspector"]:
-        paragraphs.append(f"The marked point: {_point_words(content['inspector'])}")
-    if content["pins"]:
-        names = ", ".join(pin["name"] for pin in content["pins"]["names"])
-        paragraphs.append(f"Thin lines are pinned curves of earlier settings: {names}.")
-    return paragraphs
+def _print_part(chart: Chart, page: Page, state: State, owner: State) -> Future[bytes]:
+    """Return the future of a chart as a part of the report, which names the parameters itself."""
+    inputs = state.inputs()
+    cache_key = ("report", chart.key, *inputs.values(), *page.cache_key())
+    return printer.file(cache_key, chart_figure(chart, named_inputs(inputs)), "svg", owner)

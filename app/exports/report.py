@@ -7,13 +7,12 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from rotorstab import Scales
-
 from ..lessons.markdown import plain
-from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
-from ..words.si import key_numbers, load_in, shown_scales
+from ..state import State
+from ..words.si import shown_scales
+from .rows import number_rows, parameter_rows, units_sentence
 
-__all__ = ["page_address", "report_html"]
+__all__ = ["page_address", "report_html", "report_paragraphs", "view_link"]
 
 _STYLE = """
 @page { size: A4; margin: 11mm 14mm; }
@@ -35,12 +34,6 @@ a { color: inherit; }
 sub { font-size: 0.75em; line-height: 0; } .symbol { font-style: italic; white-space: nowrap; }
 @media print { body { margin: 0; } }
 """
-_NUMBERS = {
-    "buckling": "static buckling load p̄_cr",
-    "flutter": "flutter load, follower, at this spin",
-    "static_load": "static load p̄₀",
-    "fundamental": "natural frequency at rest ω_n",
-}
 
 
 def _table(rows: Sequence[tuple[str, str]]) -> str:
@@ -50,22 +43,30 @@ def _table(rows: Sequence[tuple[str, str]]) -> str:
     return f"<table>{cells}</table>"
 
 
-def _label(name: str) -> str:
-    unit = SI_INPUTS.get(name, "")
-    words = State.param[name].label, SYMBOLS.get(name, ""), f"[{unit}]" if unit else ""
-    return " ".join(word for word in words if word)
-
-
-def _shown(value: Any) -> str:
-    if value is None:
-        return "none"
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
-
-
 def page_address(text: object) -> str:
     """Return the page's own address as the browser sent it, or an empty text if it is none."""
     form = r"https?://(?:[\w.-]{1,253}|\[[\da-fA-F:]{2,45}\])(?::\d{1,5})?(?:/[\w./~%-]{0,300})?"
     return text if isinstance(text, str) and re.fullmatch(form, text, re.ASCII) else ""
+
+
+def view_link(address: object, query: str) -> str:
+    """Return the address of a view; only its query where the page's own address is unknown."""
+    return f"{page_address(address)}?{query}" if query else page_address(address)
+
+
+def _point_words(point: Mapping[str, Any]) -> str:
+    return f"{point['sentence']} {point['explanation']}".strip()
+
+
+def report_paragraphs(content: Mapping[str, Any]) -> list[str]:
+    """Return the text of the report from what the Explore page answers."""
+    paragraphs = [content["verdict"]]
+    if content["inspector"]:
+        paragraphs.append(f"The marked point: {_point_words(content['inspector'])}")
+    if content["pins"]:
+        names = ", ".join(pin["name"] for pin in content["pins"]["names"])
+        paragraphs.append(f"Thin lines are pinned curves of earlier settings: {names}.")
+    return paragraphs
 
 
 def report_html(
@@ -93,11 +94,7 @@ def report_html(
         The page's address without a query, from `page_address`.
     """
     scales = shown_scales(state)
-    settings = [
-        (_label(name), _shown(getattr(state, name)))
-        for name in names_for(Use.REPORTED)
-        if scales is not None or name not in SI_INPUTS
-    ]
+    settings = parameter_rows(state)
     half_way = -(-len(settings) // 2)
     charts = [
         f"<h2>{escape(title)}</h2>{svg[svg.index('<svg') :]}" for title, svg in pictures.items()
@@ -113,49 +110,13 @@ def report_html(
 <div class="two">{half_wide}</div>
 <div class="three">
 <h2 class="across">Parameters</h2><h2>Key numbers</h2>
-{_table(settings[:half_way])}{_table(settings[half_way:])}{_table(_key_rows(numbers, scales))}
+{_table(settings[:half_way])}{_table(settings[half_way:])}{_table(number_rows(numbers, scales))}
 </div>
-<footer>{_units_words(state)}: length L, bending stiffness EI and line mass ρA are 1. Floquet
+<footer>{units_sentence(state)}: length L, bending stiffness EI and line mass ρA are 1. Floquet
 decides what is unstable; a Bolotin region is a first approximation. Made with rotorstab; this view:
 {_link(address, query)}</footer>
 </body></html>
 """
-
-
-def _key_rows(numbers: Mapping[str, Any], scales: Scales | None) -> list[tuple[str, str]]:
-    """Return names and values of the key numbers, in SI with scales."""
-    if scales is None:
-        rows = [(label, _shown(numbers[name])) for name, label in _NUMBERS.items()]
-        shown, hertz = numbers, ""
-    else:
-        shown, hertz = key_numbers(scales, numbers), " [Hz]"
-        newtons = f" [{load_in(scales)[1]}]"
-        rows = [
-            (
-                # without the bar of the non-dimensional
-                label.replace("\u0304", "") + (hertz if name == "fundamental" else newtons),
-                _shown(shown[name]),
-            )
-            for name, label in _NUMBERS.items()
-        ]
-    for name, (real, imaginary) in shown["whirl"].items():
-        growth = ""
-        if imaginary and scales is None:
-            growth = f" {imaginary:+.6g}j"
-        elif imaginary:
-            word = "decays" if imaginary > 0 else "grows"
-            growth = f", {word} by {abs(imaginary):.6g} 1/s"
-        rows.append((f"whirl frequency {name}{hertz}", f"{real:.6g}{growth}"))
-    return rows
-
-
-def _units_words(state: State) -> str:
-    if shown_scales(state) is None:
-        return "Non-dimensional"
-    return (
-        f"In SI for a shaft of {state.shaft_length:g} m, {state.shaft_diameter:g} mm; parameters "
-        "without a unit are non-dimensional"
-    )
 
 
 def _link(address: str, query: str) -> str:

@@ -1,4 +1,7 @@
-"""The Python program that computes what the Explore page shows, with rotorstab alone."""
+"""The Python program that computes and draws what the Explore page shows.
+
+It needs rotorstab alone; `program` makes a file or a notebook of its cells.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +18,10 @@ from ..results.marked_point import EDGE
 from ..results.model import ELEMENTS, MODES, model_of
 from ..results.window import chart_options
 from ..state import INITIAL_CONDITIONS, State
+from .program import Cell
+from .snippet_charts import drawing_lines
 
-__all__ = ["python_snippet"]
+__all__ = ["python_cells"]
 
 _ROUNDING = 1e-9  # of a time in periods
 
@@ -90,7 +95,7 @@ def _point(state: State, result: Result) -> str:
     periods = math.ceil(found.response.time[-1] / found.response.period - _ROUNDING)
     end = "" if state.periods else f".until({EDGE!r})"
     seed = f", {round(state.seed)}" if state.initial == "noise" else ""
-    return f"""
+    return f"""\
 # inside the marked point
 point = (
     static_load,
@@ -100,17 +105,15 @@ point = (
 multipliers = floquet_multipliers(system, *point)
 rate = growth_rate(system, *point)
 start = initial_conditions(system, static_load, {INITIAL_CONDITIONS[state.initial]!r}{seed})
-response = time_response(system, *point, start, {periods}, {found.samples}){end}
-"""
+response = time_response(system, *point, start, {periods}, {found.samples}){end}"""
 
 
-_PRINTS = """
+_PRINTS = """\
 print("whirl frequencies:", whirl)
 print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
 for tongue in tongues:
-    print(tongue.name, "at θ/ωₙ =", tongue.centre / frequency)
-"""
-_PRINTS_SI = """
+    print(tongue.name, "at θ/ωₙ =", tongue.centre / frequency)"""
+_PRINTS_SI = """\
 print("whirl frequencies [Hz]:", whirl.real * hertz)
 print("their growth [1/s]:", -whirl.imag * scales.frequency)
 print("buckling load [N]:", critical_load(rotor.shear) * scales.load)
@@ -118,16 +121,15 @@ print("static load [N]:", static_load * scales.load)
 print("unstable share of the window:", stability.unstable[np.isfinite(stability.growth)].mean())
 print("largest growth [1/s]:", np.nanmax(stability.growth) * scales.frequency)
 for tongue in tongues:
-    print(tongue.name, "at", tongue.centre * hertz, "Hz")
-"""
+    print(tongue.name, "at", tongue.centre * hertz, "Hz")"""
 
 
-def python_snippet(state: State) -> str:
-    """Return a program that reproduces the view's arrays.
+def python_cells(state: State) -> list[Cell]:
+    """Return the cells of a program that reproduces the view's arrays, prints and draws them.
 
-    It defines `whirl`, `load_curves`, `bolotin`, `stability`, `campbell`, `critical` and
+    The program defines `whirl`, `load_curves`, `bolotin`, `stability`, `campbell`, `critical` and
     `tongues`; with a marker also `multipliers`, `rate` and `response`; in SI, where the charts
-    show the shaft in SI, also `scales`.
+    show the shaft in SI, also `scales`. Where HoloViews is installed, `charts` are drawn.
 
     Raises
     ------
@@ -137,6 +139,21 @@ def python_snippet(state: State) -> str:
     result = solve(state, Detail.COARSE)  # the map of growth is not needed here
     in_si = state.units == "SI" and state.shaft_in_use()
     damped = model_of(state).is_damped
+    unit = "The rotor in SI; what is computed is" if in_si else "It is"
+    cells = [
+        Cell(f"What rotorstab shows, as Python. {unit} non-dimensional: L = EI = ρA = 1.", False),
+        Cell(_model_lines(state, in_si, damped)),
+        Cell(_whirl_lines(state, result)),
+        Cell(_instability(state, result, "undamped" if damped else "system")),
+    ]
+    if state.marker:
+        cells.append(Cell(_point(state, result)))
+    cells.append(Cell(_PRINTS_SI if in_si else _PRINTS))
+    return [*cells, Cell(drawing_lines(state, in_si))]
+
+
+def _model_lines(state: State, in_si: bool, damped: bool) -> str:
+    """Return the lines that import what is used and make the rotor and its system."""
     tangency = state.effective_tangency()
     undamped = (
         f"undamped = {_system(state, tangency, state.law, damped=False)}"
@@ -145,8 +162,6 @@ def python_snippet(state: State) -> str:
         else ""
     )
     return f"""\
-# What rotorstab shows, as Python. {"The rotor in SI; what is computed is" if in_si else "It is"} \
-non-dimensional: L = EI = ρA = 1.
 import numpy as np
 
 from rotorstab import (
@@ -157,29 +172,33 @@ system = {_system(state, tangency, state.law)}
 {undamped}\
 reference_load = {_reference_load(state)}  # what a load factor of 1 stands for
 static_load = {state.static_load_factor!r} * reference_load
-frequency = fundamental_frequency(lumped(rotor, 0.0))  # ω_n
+frequency = fundamental_frequency(lumped(rotor, 0.0))  # ω_n"""
 
+
+def _whirl_lines(state: State, result: Result) -> str:
+    """Return the lines of the load–frequency chart and of the Campbell diagram."""
+    return f"""\
 # whirl frequencies at the static load, over load, and over spin speed
 whirl = whirl_frequencies(system, static_load)
 {_curves(state, result)}\
 campbell = campbell_diagram(system, np.linspace(0.0, {LARGEST_SPEED!r}, {SPEEDS}), static_load)
-critical = critical_speeds(system, static_load)
-
-{_instability(state, result, "undamped" if damped else "system")}
-{_point(state, result) if state.marker else ""}{_PRINTS_SI if in_si else _PRINTS}"""
+critical = critical_speeds(system, static_load)"""
 
 
 def _imports(state: State, in_si: bool) -> str:
     """Return the names that the program imports, a line each."""
-    names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_speeds"}
-    names |= {"fundamental_frequency", "load_frequency_curves", "lumped", "resonances"}
+    names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_load"}
+    names |= {
+        "critical_speeds",
+        "flutter_load",
+        "fundamental_frequency",
+        "load_frequency_curves",
+        "lumped",
+        "resonances",
+    }
     names |= {"stability_chart", "whirl_frequencies"}
     if state.model != "lumped":
         names.add("finite_element")
-    if state.reference == "flutter":
-        names.add("flutter_load")
-    if state.reference == "buckling" or in_si:
-        names.add("critical_load")
     if state.marker:
         names |= {"floquet_multipliers", "growth_rate", "initial_conditions", "time_response"}
     return "".join(f"    {name},\n" for name in sorted(names))

@@ -7,6 +7,7 @@ of the Bokeh data sources behind them does not.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from rotorstab.drawing import screen
 from .drawing import draw
 from .overlay import overlay
 
-__all__ = ["LiveChart"]
+__all__ = ["LiveChart", "Zoom"]
 
 
 def _same(new: Any, old: Any) -> bool:
@@ -35,6 +36,14 @@ def _same(new: Any, old: Any) -> bool:
 def _labels(chart: Chart) -> tuple[str, ...]:
     """Return the units and names of a chart: those of a thicker shaft may be kN instead of N."""
     return chart.units, chart.x_label, chart.y_label
+
+
+@dataclass(frozen=True)
+class Zoom:
+    """The ranges of a chart's axes that the user has zoomed to, None where they are its own."""
+
+    x: tuple[float, float] | None = None
+    y: tuple[float, float] | None = None
 
 
 class LiveChart:
@@ -125,6 +134,14 @@ class LiveChart:
         for label, visible in shown.items():
             if label in self.renderers:
                 self.renderers[label].visible = visible
+
+    def zoom(self) -> Zoom:
+        """Return the ranges that the user has zoomed to."""
+        zoomed = {}
+        for axis, (bokeh_range, wanted) in self._ranges.items():
+            ends = bokeh_range.start, bokeh_range.end
+            zoomed[axis] = None if ends == wanted else ends
+        return Zoom(**zoomed)
 
     def reset_view(self) -> None:
         """Return to the chart's own ranges."""

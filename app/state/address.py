@@ -33,6 +33,7 @@ __all__ = [
     "PinnedInputs",
     "describe_problems",
     "from_arguments",
+    "named_problems",
     "pin_name",
     "pins_from_arguments",
     "to_query",
@@ -216,10 +217,14 @@ def pin_name(words: Any, number: int) -> str:
     return name[:_LONGEST_NAME].strip() or f"Pin {chr(ord('A') + number - 1)}"
 
 
+def named_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:
+    """Return the keys of an address that were not taken, with reasons; empty if there is none."""
+    named = [*doubtful, *(f"{KEYS.get(name, name)} ({why})" for name, why in refused.items())]
+    more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
+    return ", ".join(named[:_MOST_NAMED]) + more
+
+
 def describe_problems(doubtful: Sequence[str], refused: Mapping[str, str]) -> str:
     """Return one sentence that names what of an address was ignored, or an empty text."""
-    named = [*doubtful, *(f"{KEYS.get(name, name)} ({why})" for name, why in refused.items())]
-    if not named:
-        return ""
-    more = f" and {len(named) - _MOST_NAMED} more" if len(named) > _MOST_NAMED else ""
-    return f"Ignored in the address: {', '.join(named[:_MOST_NAMED])}{more}."
+    problems = named_problems(doubtful, refused)
+    return f"Ignored in the address: {problems}." if problems else ""

@@ -138,7 +138,7 @@ def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
     page.locator(".notice").get_by_text("Ignored in the address: spin").wait_for()
     for theme in themed(page):
         assert serious_faults(page) == [], theme
-    page.locator("details.more summary").click()
+    page.locator("details.share-menu summary").click()
     page.get_by_role("button", name="As Python").click()
     page.locator("dialog.code").wait_for(state="visible")
     for theme in themed(page):

@@ -15,7 +15,7 @@ NO_CLIPBOARD = """
 
 
 def ask(page, name):
-    page.locator("details.more summary").click()
+    page.locator("details.share-menu summary").click()
     page.get_by_role("button", name=name).click()
 
 

@@ -127,7 +127,7 @@ def test_drawer_slider_and_menus_work_under_a_finger(phone):
     phone.get_by_role("button", name="Close parameters").tap()
     sidebar.wait_for(state="hidden")
 
-    phone.locator("details.more summary").tap()
+    phone.locator("details.share-menu summary").tap()
     phone.get_by_role("button", name="As Python").tap()
     dialog = phone.locator("dialog.code")
     dialog.wait_for(state="visible")

@@ -59,6 +59,10 @@ class Figure:
     panels : tuple of Chart
     reading : tuple of Statement
         What the text says of it, with our numbers, computed from these very arrays.
+    footer : str
+        The parameters in words, in small letters below the picture; may be empty.
+    link : str
+        Address of the view that it shows, also below the picture; empty where there is none.
     """
 
     number: int
@@ -67,6 +71,8 @@ class Figure:
     parameters: Mapping[str, Value]
     panels: tuple[Chart, ...]
     reading: tuple[Statement, ...] = ()
+    footer: str = ""
+    link: str = ""
 
     @property
     def heading(self) -> str:
@@ -117,24 +123,23 @@ def growth_of(chart: Chart) -> Quantity:
     return GROWTH_SI if chart.in_si else GROWTH
 
 
-def chart_figure(chart: Chart, parameters: Mapping[str, Any]) -> Figure:
+def chart_figure(
+    chart: Chart, parameters: Mapping[str, Any], footer: str = "", link: str = ""
+) -> Figure:
     """Return a live chart as a figure of one panel, for print and for tables.
 
     Parameters
     ----------
     chart : Chart
     parameters : mapping
-        Plain values that made it; they are written into tables.
+        Plain values that made it; they are written into tables and into what files say of
+        themselves.
+    footer, link : str
+        See `Figure`.
 
     Returns
     -------
     Figure
-        Number 0. Its title gives the largest growth, where pixels and not edges show it.
+        Number 0.
     """
-    title, growth = chart.title, growth_layer(chart)
-    if growth is not None and not chart.unstable:
-        quantity = growth_of(chart)
-        unit = f" {quantity.unit}" if chart.in_si else ""
-        largest = growth.columns["rate"][0].max()
-        title += f". Pixels: {quantity.label(with_unit=False)} up to {largest:.3g}{unit}"
-    return Figure(0, title, "", dict(parameters), (chart,))
+    return Figure(0, chart.title, "", dict(parameters), (chart,), footer=footer, link=link)

@@ -83,7 +83,7 @@ def growth_layers(
     frequency_range: tuple[float, float],
     top: float,
 ) -> list[Layer]:
-    """Return the map of disagreement and, over it, the map of growth."""
+    """Return the map of disagreement, if any is known, and over it the map of growth."""
     left, right = frequency_range
     columns = grid.growth.shape[1]
     theta = (left + (np.arange(columns) + 0.5) / columns * (right - left)) * fundamental_frequency
@@ -94,13 +94,15 @@ def growth_layers(
     verdict = grid.unstable.astype(np.uint8) + 2 * bolotin.astype(np.uint8)
     verdict[~np.isfinite(grid.growth)] = 4  # not computed: it disagrees with nothing
     clear = np.float32(np.nan)
-    disagree = np.full(verdict.shape, clear, np.float32)
+    layers = []
     if grid.bolotin is not None:
+        disagree = np.full(verdict.shape, clear, np.float32)
         disagree[verdict == 2] = 0.0
         disagree[verdict == 1] = 1.0
-    return [
         # below: a colour of growth is that of the colour bar wherever it stands
-        Layer("map", "disagreement", {"image": [disagree], **place}),
+        layers.append(Layer("map", "disagreement", {"image": [disagree], **place}))
+    return [
+        *layers,
         Layer(
             "map",
             "growth",

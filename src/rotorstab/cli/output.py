@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from unicodedata import combining
@@ -16,13 +17,14 @@ import numpy as np
 
 from ..drawing.files import write_file
 from ..drawing.formats import PICTURE_FORMATS, TABLE_FORMATS
+from ..drawing.plain_text import parameter_words
 from ..paper import Figure
 
-__all__ = ["emit", "figure_data", "marked", "text_table"]
+__all__ = ["emit", "figure_data", "marked", "output_format", "output_path", "text_table"]
 
 
-def _format(path: str, allowed: Iterable[str]) -> str:
-    """Return the format of a file, which is the ending of its name."""
+def output_format(path: str, allowed: Iterable[str]) -> str:
+    """Return the format of a file, which is the ending of its name; ValueError for another one."""
     name = Path(path).suffix.lower()[1:]
     if name not in allowed:
         endings = ", ".join(f".{name}" for name in allowed)
@@ -38,7 +40,8 @@ def figure_data(figure: Figure, formats: Sequence[str]) -> dict[str, bytes | str
         try:
             from ..drawing.printed import figure_files
 
-            data |= figure_files(figure, drawn)
+            footer = parameter_words(figure.parameters)
+            data |= figure_files(replace(figure, footer=footer), drawn)
         except ImportError as error:
             others = " or ".join(f".{name}" for name in TABLE_FORMATS)
             raise ValueError(
@@ -76,6 +79,14 @@ def text_table(columns: Mapping[str, Sequence[Any]]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def output_path(arguments: argparse.Namespace) -> Path:
+    """Return the file that `--output` names; ValueError where only `--force` may write it."""
+    path = Path(arguments.output)
+    if path.exists() and not arguments.force:
+        raise ValueError(f"{path} exists; --force overwrites it")
+    return path
+
+
 def emit(
     text: str,
     data: Callable[[str], bytes | str],
@@ -86,10 +97,8 @@ def emit(
     if arguments.output is None:
         sys.stdout.write(text)
         return
-    name = _format(arguments.output, allowed)
-    path = Path(arguments.output)
-    if path.exists() and not arguments.force:
-        raise ValueError(f"{path} exists; --force overwrites it")
+    name = output_format(arguments.output, allowed)
+    path = output_path(arguments)
     write_file(path, marked(data(name), name, arguments), arguments.force)
 
 

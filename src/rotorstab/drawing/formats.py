@@ -12,8 +12,39 @@ from typing import Any
 from ..charts import Figure
 from ..paper import Table
 from . import tables
+from .plain_text import parameter_words
 
-__all__ = ["FORMATS", "PICTURE_FORMATS", "TABLE_FORMATS", "PictureFormat", "TableFormat"]
+__all__ = [
+    "FORMATS",
+    "PICTURE_FORMATS",
+    "TABLE_FORMATS",
+    "Origin",
+    "PictureFormat",
+    "TableFormat",
+]
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a picture's file says of itself, for programs that read its metadata.
+
+    Parameters
+    ----------
+    heading : str
+    parameters : mapping
+        Plain values that made it.
+    link : str
+        Address of the view that it shows; empty where there is none.
+    """
+
+    heading: str
+    parameters: Mapping[str, Any]
+    link: str = ""
+
+    @property
+    def keywords(self) -> str:
+        """The parameters, as `name = value` separated by semicolons."""
+        return parameter_words(self.parameters)
 
 
 @dataclass(frozen=True)
@@ -25,13 +56,13 @@ class PictureFormat:
     mime : str
         MIME type.
     metadata : callable
-        Takes the heading of a figure and returns the `metadata` of Matplotlib's `savefig`: the
-        title, and None for every date, so that equal figures give equal files. It returns None
-        for a format that has no metadata.
+        Takes the `Origin` of a picture and returns the `metadata` of Matplotlib's `savefig`:
+        title, parameters and link, and None for every date, so that equal figures give equal
+        files. It returns None for a format that has no metadata.
     """
 
     mime: str
-    metadata: Callable[[str], dict[str, Any] | None]
+    metadata: Callable[[Origin], dict[str, Any] | None]
 
 
 @dataclass(frozen=True)
@@ -62,16 +93,26 @@ class TableFormat:
     marked_for_excel: bool = False
 
 
-def _pdf_metadata(heading: str) -> dict[str, Any]:
-    return {"CreationDate": None, "ModDate": None, "Title": heading}
+def _pdf_metadata(origin: Origin) -> dict[str, Any]:
+    """Return the document information of a PDF."""
+    named = _named(origin, link="Subject", parameters="Keywords")
+    return {"CreationDate": None, "ModDate": None, **named}
 
 
-def _svg_metadata(heading: str) -> dict[str, Any]:
-    return {"Date": None, "Title": heading}
+def _svg_metadata(origin: Origin) -> dict[str, Any]:
+    """Return terms of the Dublin Core."""
+    return {"Date": None, **_named(origin, link="Source", parameters="Description")}
 
 
-def _png_metadata(heading: str) -> dict[str, Any]:
-    return {"Title": heading.encode("ascii", "replace").decode()}
+def _png_metadata(origin: Origin) -> dict[str, Any]:
+    """Return text chunks, under the names that the PNG standard registers."""
+    return _named(origin, link="Source", parameters="Description")
+
+
+def _named(origin: Origin, link: str, parameters: str) -> dict[str, Any]:
+    """Return what there is of title, link and parameters, by the names of a format."""
+    named = {"Title": origin.heading, link: origin.link, parameters: origin.keywords}
+    return {name: text for name, text in named.items() if text}
 
 
 PICTURE_FORMATS = {

@@ -11,19 +11,28 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["comment_lines", "csv_rows", "json_text", "plain_numbers"]
+__all__ = ["comment_lines", "csv_rows", "json_text", "parameter_words", "plain_numbers"]
 
 # what a formula or a command of a spreadsheet begins with, at full width too
 _COMPUTED = frozenset("=+-@|%＝＋－＠")
 
 
-def comment_lines(title: str, details: Iterable[str], parameters: Mapping[str, Any]) -> str:
+def comment_lines(
+    title: str, details: Iterable[str], parameters: Mapping[str, Any], link: str = ""
+) -> str:
     """Return the comment lines that open a CSV file."""
     lines = [title, *details]
+    if link:
+        lines.append(f"link: {link}")
     if parameters:
         lines.append("parameters, non-dimensional unless a unit is given:")
         lines += [f"  {name} = {_plain(value)}" for name, value in parameters.items()]
     return "".join(f"# {line}\n" for line in lines)
+
+
+def parameter_words(parameters: Mapping[str, Any]) -> str:
+    """Return parameters in one line, as `name = value` separated by semicolons."""
+    return "; ".join(f"{name} = {_plain(value)}" for name, value in parameters.items())
 
 
 def _plain(value: Any) -> str:

@@ -5,7 +5,7 @@ No browser is needed. `typesetting` writes the texts; tables of the same figures
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from io import BytesIO
 from typing import Any
 
@@ -18,18 +18,33 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Figure
-from ..charts.instability import BOLOTIN
-from ..charts.tongues import FLOQUET
-from .formats import PICTURE_FORMATS
-from .printed_panel import DASHES, FILL, PALE, PANEL_INCHES, SHADE, marker, panel_overlay
+from ..charts.figure import growth_layer
+from .formats import PICTURE_FORMATS, Origin
+from .printed_growth import add_colour_bar
+from .printed_legend import add_legend, legend_rows
+from .printed_panel import PANEL_INCHES, panel_overlay
+from .text_blocks import (
+    GREY,
+    LINE,
+    followed,
+    link_lines,
+    separate_labels,
+    wrapped,
+    write_lines,
+)
 from .typesetting import finish_panel, mathtext
 
-__all__ = ["figure_files", "paper_layout"]
+__all__ = ["DOTS", "SETTINGS", "drawn_files", "figure_files", "paper_layout", "rendered"]
 
 _SINGLE_INCHES = (5.6, 3.8)
+_SQUARE_INCHES = (4.6, 4.6)
+_LIVE_INCHES = (7.2, 3.7)  # a live chart with Floquet and its colour bar
 _WIDE_INCHES = (7.2, 2.75)  # with Floquet: a panel a row, for narrow tongues
-_LEGEND = {"frameon": False, "handlelength": 3.4}
-_SETTINGS = {
+_BAR_ROOM = 0.62  # inches at the right of a panel for its colour bar
+_SMALL = 5.5  # font size of the footer [pt]
+DOTS = 300
+"""Dots per inch of PNG."""
+SETTINGS = {
     "font.size": 9.0,
     "font.family": "DejaVu Sans",
     "axes.titlesize": 9.0,
@@ -41,6 +56,7 @@ _SETTINGS = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rotorstab",  # the same ids in every run
 }
+"""Matplotlib's settings for everything that is printed."""
 
 
 def _columns(figure: Figure) -> int:
@@ -90,6 +106,38 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
     ValueError
         For another format.
     """
+
+    def draw() -> Any:
+        drawn = rendered(paper_layout(figure))
+        _arrange(drawn, figure)
+        return drawn
+
+    return drawn_files(draw, Origin(figure.heading, figure.parameters, figure.link), formats)
+
+
+def rendered(layout: hv.Layout) -> Any:
+    """Return a layout as a figure of Matplotlib; `holoviews.render` would draw it twice."""
+    return hv.renderer("matplotlib").get_plot(layout).state
+
+
+def drawn_files(
+    draw: Callable[[], Any], origin: Origin, formats: Sequence[str]
+) -> dict[str, bytes]:
+    """Return what a function draws as the bytes of files, by format.
+
+    Parameters
+    ----------
+    draw : callable
+        Returns a figure of Matplotlib, drawn with `SETTINGS`.
+    origin : Origin
+        What the files say of themselves.
+    formats : sequence of {"pdf", "svg", "png"}
+
+    Raises
+    ------
+    ValueError
+        For another format.
+    """
     for name in formats:
         choice("file format", name, tuple(PICTURE_FORMATS))
     try:
@@ -100,105 +148,64 @@ def figure_files(figure: Figure, formats: Sequence[str]) -> dict[str, bytes]:
 
     files = {}
     # the calling process may have its own settings: they are put back
-    with matplotlib.rc_context(_SETTINGS):
-        drawn = hv.render(paper_layout(figure), backend="matplotlib")
-        _arrange(drawn, figure)
+    with matplotlib.rc_context(SETTINGS):
+        drawn = draw()
         for name in formats:
             stream = BytesIO()
-            metadata = PICTURE_FORMATS[name].metadata(figure.heading)
-            drawn.savefig(stream, format=name, dpi=300, metadata=metadata)
+            metadata = PICTURE_FORMATS[name].metadata(origin)
+            drawn.savefig(stream, format=name, dpi=DOTS, metadata=metadata)
             files[name] = stream.getvalue()
         pyplot.close(drawn)
     return files
 
 
+def _panel_inches(figure: Figure) -> tuple[float, float]:
+    """Return the width and the height of a panel with its labels."""
+    if _columns(figure) > 1:
+        return PANEL_INCHES
+    if figure.number == 0 and len(figure.panels) == 1:  # a live chart
+        (panel,) = figure.panels
+        if growth_layer(panel) is not None:
+            return _LIVE_INCHES
+        return _SQUARE_INCHES if panel.square else _SINGLE_INCHES
+    return _WIDE_INCHES if figure.has_floquet else _SINGLE_INCHES
+
+
 def _arrange(drawn: Any, figure: Figure) -> None:
-    """Place the panels, the common legend and the heading of a rendered layout."""
+    """Place the panels, the common legend, the heading and the footer of a rendered layout."""
     columns = _columns(figure)
     rows = -(-len(figure.panels) // columns)
-    across, down = PANEL_INCHES if columns > 1 else _SINGLE_INCHES
-    if figure.has_floquet:
-        across, down = _WIDE_INCHES
-    handles, names = _legend_entries(figure)
-    entries = _entries_per_row(drawn, handles, names, columns * across)
-    lower = 0.35 + 0.18 * -(-len(names) // entries)
-    width, height = columns * across, rows * down + lower
+    across, down = _panel_inches(figure)
+    width = columns * across
+    footer = _footer_lines(figure, width)
+    foot = LINE * _SMALL * len(footer)
+    lower = foot + 0.35 + 0.18 * legend_rows(drawn, figure, width)
+    height = rows * down + lower
     drawn.set_size_inches(width, height)
     axes = [part for part in drawn.axes if part.get_title()]
     for index, (part, panel) in enumerate(zip(axes, figure.panels, strict=True)):
         row, column = divmod(index, columns)
+        bar = _BAR_ROOM if part.images else 0.0
         part.set_position(
             (
                 (column * across + 0.62) / width,
                 (height - (row + 1) * down + 0.42) / height,
-                (across - 0.82) / width,
+                (across - 0.82 - bar) / width,
                 (down - 0.8) / height,
             )
         )
         finish_panel(part, panel)
-    drawn.legend(
-        handles=handles,
-        labels=names,
-        loc="lower center",
-        bbox_to_anchor=(0.5, 0.24 / height),
-        ncols=entries,
-        **_LEGEND,
-    )
+        add_colour_bar(part, panel, 0.1)
+        if figure.number == 0:
+            separate_labels(part)
+    add_legend(drawn, figure, width, (0.5 * width, foot + 0.24))
     heading = mathtext(figure.heading)
-    drawn.text(0.5, 0.1 / height, heading, ha="center", va="bottom", fontsize=9.0)
+    drawn.text(0.5, (foot + 0.1) / height, heading, ha="center", va="bottom", fontsize=9.0)
+    write_lines(drawn, (0.1, foot + 0.05), footer, _SMALL, color=GREY, url=followed(figure.link))
 
 
-def _legend_entries(figure: Figure) -> tuple[list[Any], list[str]]:
-    """Return the signs and the names of the common legend."""
-    from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
-
-    groups = figure.groups()
-    handles: list[Any] = [
-        Line2D(
-            [],
-            [],
-            color=curve.look.print_color,
-            linestyle=DASHES[curve.style] if curve.x.size > 1 else "",
-            marker="" if curve.x.size > 1 else marker(curve),
-        )
-        for curve in groups.values()
-    ]
-    names = [mathtext(group) for group in groups]
-    for name, color, alpha in _area_entries(figure):
-        handles.append(Patch(facecolor=color, alpha=alpha, edgecolor="none"))
-        names.append(name)
-    return handles, names
-
-
-def _area_entries(figure: Figure) -> list[tuple[str, str, float]]:
-    """Return name, colour and opacity of the legend's filled areas, where there are two kinds.
-
-    Areas of one colour have it in the legend; those of several, told apart by lines, are grey.
-    """
-    regions = [region for panel in figure.panels for region in panel.regions]
-    if not figure.has_floquet or not regions:
-        return []
-    outlines = [outline for panel in figure.panels for outline in panel.unstable]
-    found = []
-    for name, areas, opacity, grey in (
-        (BOLOTIN, regions, PALE, SHADE),
-        (FLOQUET, outlines, FILL, 0.5),
-    ):
-        colors = {area.look.print_color for area in areas}
-        found.append((name, *((colors.pop(), opacity) if len(colors) == 1 else ("#444444", grey))))
-    return found
-
-
-def _entries_per_row(drawn: Any, handles: list[Any], names: list[str], width: float) -> int:
-    """Return how many entries of the legend go into one row of a width [in]."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-
-    renderer = FigureCanvasAgg(drawn).get_renderer()
-    for entries in range(min(5, len(names)), 1, -1):
-        legend = drawn.legend(handles=handles, labels=names, ncols=entries, **_LEGEND)
-        room = width * drawn.dpi - legend.get_window_extent(renderer).width
-        legend.remove()
-        if room >= 0:
-            return entries
-    return 1
+def _footer_lines(figure: Figure, width: float) -> list[str]:
+    """Return the parameters in words and the link, in lines of a page [in]."""
+    room = width - 0.2
+    lines = wrapped(figure.footer, room, _SMALL)
+    return lines + link_lines(figure.link, room, _SMALL)

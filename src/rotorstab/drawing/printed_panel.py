@@ -14,12 +14,11 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import Chart, Curve
-from ..charts.figure import growth_layer, growth_of
-from ..charts.structure import pixel_centres
+from ..charts import ROLES, Chart, Curve
+from .printed_growth import growth_images
 from .typesetting import mathtext
 
-__all__ = ["DASHES", "FILL", "PALE", "PANEL_INCHES", "SHADE", "marker", "panel_overlay"]
+__all__ = ["DASHES", "FILL", "PALE", "PANEL_INCHES", "SHADE", "panel_overlay", "point_look"]
 
 DASHES: dict[str, Any] = {
     "solid": "-",
@@ -34,13 +33,23 @@ SHADE, PALE = 0.14, 0.09
 PANEL_INCHES = (3.2, 2.6)
 
 
-def marker(point: Curve) -> str:
-    """Return the sign of a point: a circle for a marked one, else a diamond."""
-    return "o" if point.role == "marker" else "D"
+_POINTS = {
+    "marked point": ("o", ROLES["marker"].print_color),
+    "multipliers": ("o", "#1f7fbf"),
+    "growing multipliers": ("^", "#d1480f"),
+    "minus one": ("X", "#a8518a"),
+    "start": ("o", ROLES["current"].print_color),
+    "end": ("s", ROLES["marker"].print_color),
+}
 
 
-def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
-    """Return a HoloViews hook that fills and outlines what is unstable.
+def point_look(point: Curve) -> tuple[str, str]:
+    """Return the sign and the colour of a point, by its group; a diamond for any other."""
+    return _POINTS.get(point.group, ("D", point.look.print_color))
+
+
+def _fill_hook(outlines: Sequence[Curve], filled: bool) -> Callable[[Any, Any], None]:
+    """Return a HoloViews hook that outlines what is unstable, and fills it where asked to.
 
     A panel has a hundred thin polygons; as HoloViews elements they would take half a minute.
     """
@@ -54,17 +63,18 @@ def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
             color, style = curves[0].look.print_color, curves[0].style
             shapes = [np.column_stack(curve.polygon) for curve in curves]
             edges = [half for shape in shapes for half in np.split(shape, [len(shape) // 2])]
-            axes.add_collection(
-                PolyCollection(
-                    shapes,
-                    facecolor=color,
-                    edgecolor="none",
-                    alpha=FILL,
-                    zorder=1,
-                    label=group,
-                ),
-                autolim=False,
-            )
+            if filled:
+                axes.add_collection(
+                    PolyCollection(
+                        shapes,
+                        facecolor=color,
+                        edgecolor="none",
+                        alpha=FILL,
+                        zorder=1,
+                        label=group,
+                    ),
+                    autolim=False,
+                )
             # the thinnest tongue is seen by its outline
             axes.add_collection(
                 LineCollection(
@@ -76,9 +86,9 @@ def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
     return draw
 
 
-def _areas(panel: Chart, opacity: float) -> list[hv.Element]:
-    """Return the map of growth, where no outline says more than its pixels, and the regions."""
-    areas = [
+def _regions(panel: Chart, opacity: float) -> list[hv.Element]:
+    """Return Bolotin's regions."""
+    return [
         hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
             facecolor=hv.Cycle([region.look.print_color]),
             edgecolor="none",
@@ -87,18 +97,10 @@ def _areas(panel: Chart, opacity: float) -> list[hv.Element]:
         )
         for region in panel.regions
     ]
-    growth = growth_layer(panel)
-    if growth is not None and not panel.unstable:
-        rates = np.asarray(growth.columns["rate"][0], float)
-        values = np.where(rates > 0, rates, np.nan)
-        name = growth_of(panel).label(with_unit=False)
-        image = hv.Image((*pixel_centres(growth), values), ["x", "y"], name)
-        areas.insert(0, image.opts(cmap="plasma", backend="matplotlib"))
-    return areas
 
 
 def panel_overlay(panel: Chart) -> hv.Overlay:
-    """Return one panel: shaded regions below, lines above, points on top."""
+    """Return one panel: growth and regions below, lines above, points on top."""
     thin = bool(panel.unstable and panel.regions)  # Bolotin's part steps back
     lines = [
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
@@ -112,18 +114,21 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
     ]
     points = [
         hv.Points((point.x, point.y), ["x", "y"]).opts(
-            s=22, marker=marker(point), color=point.look.print_color, backend="matplotlib"
+            s=30, marker=sign, color=color, edgecolors="white", linewidth=0.7, backend="matplotlib"
         )
         for point in panel.curves("points")
+        for sign, color in [point_look(point)]
     ]
-    return hv.Overlay([*_areas(panel, PALE if thin else SHADE), *lines, *points]).opts(
+    growth = growth_images(panel)
+    regions = _regions(panel, PALE if thin else SHADE)
+    return hv.Overlay([*growth, *regions, *lines, *points]).opts(
         hv.opts.Overlay(
             title=f"({panel.letter}) {panel.title}" if panel.letter else panel.title,
             xlabel=mathtext(panel.x.name(with_unit=True)),
             ylabel=mathtext(panel.y.name(with_unit=True)),
             xlim=panel.x_range,
             ylim=panel.y_range,
-            hooks=[_fill_hook(panel.unstable)] if panel.unstable else [],
+            hooks=[_fill_hook(panel.unstable, not growth)] if panel.unstable else [],
             show_legend=False,
             aspect=PANEL_INCHES[0] / PANEL_INCHES[1],
             backend="matplotlib",

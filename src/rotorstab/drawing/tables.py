@@ -39,7 +39,7 @@ def figure_csv(figure: Figure) -> str:
     Returns
     -------
     str
-        Comment lines (title, units, parameters), then the columns panel, kind (line, region
+        Comment lines (title, units, link, parameters), then the columns panel, kind (line, region
         or unstable), name, style, x, y: one row a point. A gap in a line has an empty y or x.
         A region is Bolotin's, unstable is Floquet's. Where a panel has a map, its pixels
         follow as rows of kind map with their centre and, in one more column, their value.
@@ -57,7 +57,7 @@ def figure_csv(figure: Figure) -> str:
         for curve in curves
         for x, y in zip(*_points(curve, kind), strict=True)
     )
-    head = comment_lines(figure.heading, details, figure.parameters)
+    head = comment_lines(figure.heading, details, figure.parameters, figure.link)
     header: tuple[str, ...] = ("panel", "kind", "name", "style", "x", "y")
     maps = [(panel, layer) for panel in figure.panels if (layer := growth_layer(panel))]
     if not maps:
@@ -141,6 +141,7 @@ def figure_json(figure: Figure) -> str:
             "title": figure.title,
             "caption": figure.caption,
             "parameters": dict(figure.parameters),
+            "link": figure.link,
             "panels": [_json_panel(panel) for panel in figure.panels],
             "reading": [
                 {

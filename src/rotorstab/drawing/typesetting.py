@@ -12,9 +12,10 @@ from ..charts import Chart
 __all__ = ["finish_panel", "mathtext"]
 
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙₜ", "0123456789nt")
-_INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[dnst])\b)?"  # as Unicode, or after an underscore
+_INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[DPdefinst])\b)?"  # as Unicode, or after an underscore
 _BARRED = re.compile("(.)\u0304" + _INDEX)
-_PLAIN = re.compile(r"([αβζμωP])(?=[ₙₜ_])" + _INDEX)
+_PLAIN = re.compile(r"([αβζμωIMPf])(?=[ₙₜ_])" + _INDEX)
+_ROUNDING = 1e-9  # of a range
 _TONGUE = "tongue"  # label of the layer whose names stand out from the areas below them
 
 
@@ -45,8 +46,10 @@ _PLACES: Mapping[str, _Place] = {
 def mathtext(text: str) -> str:
     """Return the text with barred, indexed and Greek symbols as Matplotlib mathtext."""
     text = text.replace("$", r"\$")  # a pin's name may have any sign
+    text = text.replace("Ī", "I\u0304")
     text = _PLAIN.sub(lambda m: _symbol(m[1], m[2], m[3]), text)
-    return _BARRED.sub(lambda m: _symbol(rf"\bar{{{m[1]}}}", m[2], m[3]), text)
+    text = _BARRED.sub(lambda m: _symbol(rf"\bar{{{m[1]}}}", m[2], m[3]), text)
+    return text.replace("e^σt", r"$e^{σt}$")
 
 
 def _symbol(letter: str, index: str, word: str | None) -> str:
@@ -68,6 +71,8 @@ def finish_panel(axes: Any, panel: Chart) -> None:
     for layer in panel.of_kind("labels"):
         keys = ("x", "y", "name", "side")
         for x, y, text, side in zip(*(layer.columns[key] for key in keys), strict=True):
+            if not (_within(x, panel.x_range) and _within(y, panel.y_range)):
+                continue  # the chart is zoomed in
             place = _PLACES[side]
             # a label just under the frame would touch it
             touches = place.vertical == "bottom" and high - 0.06 * (high - low) < y < high
@@ -81,15 +86,22 @@ def finish_panel(axes: Any, panel: Chart) -> None:
                 rotation=90 if side == "upright" else 0,
                 fontsize=7.0,
                 annotation_clip=None if layer.label == _TONGUE else False,
-                **_weight(layer.label == _TONGUE),
+                **_weight(layer.label == _TONGUE, on_colours=bool(panel.of_kind("map"))),
             )
 
 
-def _weight(strong: bool) -> dict[str, Any]:
-    """Return the look of a label, or of one that must stand out from the areas below it."""
-    if not strong:
-        return {"color": "#444444"}
+def _within(value: float, limits: tuple[float, float]) -> bool:
+    """Whether a place lies in a range or on its ends, but for rounding."""
+    low, high = limits
+    room = _ROUNDING * (high - low)
+    return low - room <= value <= high + room
+
+
+def _weight(strong: bool, on_colours: bool) -> dict[str, Any]:
+    """Return the look of a label: one that must stand out from what lies below it has a halo."""
+    look = {"color": "#222222", "fontweight": "bold"} if strong else {"color": "#444444"}
+    if not (strong or on_colours):
+        return look
     from matplotlib.patheffects import withStroke
 
-    halo = [withStroke(linewidth=2.2, foreground="white")]
-    return {"color": "#222222", "fontweight": "bold", "path_effects": halo}
+    return look | {"path_effects": [withStroke(linewidth=2.2, foreground="white")]}

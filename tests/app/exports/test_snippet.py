@@ -1,14 +1,18 @@
-""" "As Python": each snippet is run, and its arrays compared with what the page shows."""
+""" "As Python": every program is run, and its arrays compared with what the page shows."""
 
-from contextlib import redirect_stdout
+import builtins
+import json
+from contextlib import chdir, redirect_stdout
 from io import StringIO
 
 import numpy as np
 import pytest
 
-from app.exports.snippet import python_snippet
-from app.pages.marked_point import inspect
-from app.results.analysis import solve
+from app.exports.program import notebook_text, program_text
+from app.exports.snippet import python_cells
+from app.pages.explore import Explore
+from app.pages.marked_point import INSPECTOR_CHARTS, inspect
+from app.results.analysis import CHARTS, solve
 from app.state import PRESETS, State
 from app.words.si import displayed
 from rotorstab.model.stiffness_law import STIFFNESS_LAWS
@@ -42,14 +46,17 @@ STATES = {
 
 
 @pytest.fixture(scope="module", params=STATES, ids=list(STATES))
-def ran(request):
-    """A state, what its snippet defines, its text, and what it prints."""
+def ran(request, tmp_path_factory):
+    """A state, what its program defines, its text, and what it prints."""
     state = State()
     assert state.change(STATES[request.param]) == {}
-    text = python_snippet(state)
+    text = program_text(python_cells(state))
     names = {}
-    with redirect_stdout(StringIO()) as printed:
-        exec(compile(text, "snippet", "exec"), names)
+    folder = tmp_path_factory.mktemp("program")
+    with redirect_stdout(StringIO()) as printed, chdir(folder):
+        exec(compile(text, "program", "exec"), names)
+    # HoloViews is installed here, so the charts are drawn into a file of their own
+    assert "<script" in (folder / "rotorstab-view.html").read_text(encoding="utf-8")
     return state, names, text, printed.getvalue()
 
 
@@ -65,7 +72,7 @@ def same(drawn, computed):
     np.testing.assert_allclose(drawn[seen], np.asarray(computed)[seen], rtol=1e-6, atol=1e-9)
 
 
-def test_a_snippet_computes_the_arrays_of_the_charts(ran):
+def test_a_program_computes_the_arrays_of_the_charts(ran):
     state, names, *_ = ran
     result = solve(state)
     charts = displayed(result.charts, state, result.numbers)
@@ -131,6 +138,74 @@ def test_a_snippet_computes_the_arrays_of_the_charts(ran):
         assert sorted(points, key=abs) == pytest.approx(sorted(names["multipliers"], key=abs))
 
 
+def test_the_drawn_charts_are_those_of_the_page(ran):
+    state, names, *_ = ran
+    page = Explore().compute(state)
+    drawn = {chart.key: chart for chart in names["charts"]}
+    assert list(drawn) == [*CHARTS, *(INSPECTOR_CHARTS if state.marker else ())]
+    assert len(names["view"]) == len(drawn)
+    if state.units == "SI" and not state.shaft_in_use():
+        return  # the program stays non-dimensional, and says so
+    for key, chart in drawn.items():
+        assert (chart.x_label, chart.y_label) == (page[key].x_label, page[key].y_label)
+        assert chart.x_range == pytest.approx(page[key].x_range)
+        assert chart.y_range == pytest.approx(page[key].y_range, rel=1e-6)
+        for ours, theirs in zip(chart.curves("lines"), page[key].curves("lines"), strict=False):
+            assert ours.name == theirs.name
+            np.testing.assert_allclose(ours.x, theirs.x, rtol=1e-6, atol=1e-9)
+            np.testing.assert_allclose(ours.y, theirs.y, rtol=1e-6, atol=1e-9)
+
+
+def run_notebook(text, folder):
+    """Check a notebook against the format nbformat 4.5 and run its cells in order."""
+    notebook = json.loads(text)
+    assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
+    assert notebook["metadata"]["kernelspec"].keys() >= {"name", "display_name"}
+    ids = [cell["id"] for cell in notebook["cells"]]
+    assert len(set(ids)) == len(ids)
+    names = {}
+    with redirect_stdout(StringIO()) as printed, chdir(folder):
+        for cell in notebook["cells"]:
+            assert isinstance(cell["source"], list)
+            assert cell["metadata"] == {}
+            if cell["cell_type"] == "code":
+                assert (cell["outputs"], cell["execution_count"]) == ([], None)
+                exec(compile("".join(cell["source"]), cell["id"], "exec"), names)
+            else:
+                assert cell["cell_type"] == "markdown"
+    return names, printed.getvalue()
+
+
+def test_the_cells_of_the_notebook_run_in_order(tmp_path):
+    state = State(**MARKED, highest_frequency=3.0)
+    cells = python_cells(state)
+    text = notebook_text(cells)
+    names, printed = run_notebook(text, tmp_path)
+    assert "whirl frequencies:" in printed
+    assert len(names["view"]) == 6
+    program = program_text(cells)
+    for cell in json.loads(text)["cells"]:
+        if cell["cell_type"] == "code":
+            assert f"# %%\n{''.join(cell['source'])}\n" in program
+
+
+def test_without_holoviews_the_numbers_are_printed(tmp_path, monkeypatch):
+    load = builtins.__import__
+
+    def missing(name, *arguments, **options):
+        if name == "holoviews":
+            raise ImportError(name)
+        return load(name, *arguments, **options)
+
+    monkeypatch.setattr(builtins, "__import__", missing)
+    text = notebook_text(python_cells(State(highest_frequency=3.0)))
+    names, printed = run_notebook(text, tmp_path)
+    assert names["view"] is None
+    assert "whirl frequencies:" in printed
+    assert "pip install 'rotorstab[app]'" in printed
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_it_starts_from_si_data_exactly_where_the_charts_show_that_shaft(ran):
     state, names, text, printed = ran
     in_si = state.units == "SI" and state.shaft_in_use()
@@ -146,11 +221,11 @@ def test_it_starts_from_si_data_exactly_where_the_charts_show_that_shaft(ran):
         assert f"{numbers['static_load'] * names['scales'].load:.6g}"[:5] in printed
 
 
-def test_a_snippet_names_a_stiffness_law_that_is_added_and_refuses_one_that_is_not(monkeypatch):
+def test_a_program_names_a_stiffness_law_that_is_added_and_refuses_one_that_is_not(monkeypatch):
     state = State()
     state.param.law.objects = ["linear", "exact", "another"]
     state.law = "another"
     with pytest.raises(ValueError, match="must be one of 'linear', 'exact', got 'another'"):
-        python_snippet(state)
+        python_cells(state)
     monkeypatch.setitem(STIFFNESS_LAWS, "another", STIFFNESS_LAWS["exact"])
-    assert "system = lumped(rotor, 2.0, stiffness='another')" in python_snippet(state)
+    assert "system = lumped(rotor, 2.0, stiffness='another')" in program_text(python_cells(state))
