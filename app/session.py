@@ -22,11 +22,13 @@ from .results.default_marker import place_marker
 from .results.limits import Detail
 from .state import State, Use, names_for
 from .state.address import describe_problems, from_arguments, pins_from_arguments, to_query
+from .state.point_inputs import PointInputs
 from .words.refusals import FAILED, user_message
 
 __all__ = ["Session"]
 
 _LOG = logging.getLogger("rotorstab.app")
+_POINT_INPUTS = {name for name in PointInputs.param if name != "name"}
 # messages that ask for a file, which takes longer than an answer may
 _MAKE_FILES = ("export", "report", "picture", "figure")
 
@@ -119,7 +121,13 @@ class Session:
             reply, content = Reply(), {"told": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
         at_rest = kind != "change"
-        return {**self.redraw(at_rest), **content, **self._describe(reply.errors, at_rest)}
+        full = at_rest or self._only_the_point_moves(message)
+        return {**self.redraw(full), **content, **self._describe(reply.errors, at_rest)}
+
+    def _only_the_point_moves(self, message: Mapping[str, Any]) -> bool:
+        """Whether a change leaves the map as it is, so that the full one can stay in view."""
+        moved = set(message.get("values", ()))
+        return moved <= _POINT_INPUTS and self.pages[self.active].awaited(self.state) is None
 
     def _is_waiting(self) -> bool:
         """Whether the browser has all but the full picture, which is still being made."""

@@ -143,6 +143,18 @@ def test_the_marker_stays_in_its_units_and_marks_every_chart(session):
     assert ruler[1] - ruler[0] == pytest.approx(excitation)
 
 
+def test_the_full_map_stays_while_only_the_point_moves(session):
+    change(session, **UNSTABLE)
+    assert session.respond({"type": "settle"})["settled"]
+    whole = data(session, "instability", "growth")["image"][0]
+    answer = change(session, marker_frequency=1.7)
+    assert (answer["settled"], answer["at_rest"]) == (True, False)
+    assert data(session, "instability", "growth")["image"][0] is whole
+    assert not change(session, spin_speed=1.913)["settled"]
+    # the full map of this speed is not known yet
+    assert not change(session, marker_frequency=1.71)["settled"]
+
+
 def test_the_motion_comes_with_every_change_and_equals_the_chart(session):
     motion = change(session, **UNSTABLE)["inspector"]["motion"]
     assert motion == session.respond({"type": "settle"})["inspector"]["motion"]
