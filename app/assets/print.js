@@ -33,6 +33,7 @@
   }
 
   function picture(view) {
+    for (const renderer of view.renderer_views.values()) renderer.set_visuals?.();
     view.paint(); // the colours of the light theme have not been painted yet
     const image = made("img", "print-chart");
     image.src = view.export("png").canvas.toDataURL();
@@ -57,13 +58,18 @@
     const views = Object.fromEntries(figures().map((view) => [view.model.name, view]));
     const row = (names, kind) => made("div", kind, ...names.filter((name) => name in views).map((name) => picture(views[name])));
     const words = [page.last.inspector?.sentence, page.last.verdict].filter(Boolean);
-    const legends = [...document.querySelectorAll('[data-page="explore"] .legend > li:not([hidden])')].map((entry) => entry.cloneNode(true));
+    const legends = new Map(); // by their words: charts share some
+    for (const entry of document.querySelectorAll('[data-page="explore"] .legend > li:not([hidden]):not(.off)')) {
+      const copy = entry.cloneNode(true);
+      for (const button of copy.querySelectorAll("button")) button.replaceWith(...button.childNodes);
+      legends.set(copy.textContent.trim(), copy);
+    }
     const pins = document.querySelector(".pin-table");
     return made("section", "print-sheet",
       made("h1", "", "Parametric instability of a shaft–disk rotor"),
       ...words.map((text) => made("p", "", ...page.rich(text))),
       row(MAIN.slice(0, 1), "print-main"), row(MAIN.slice(1), "print-pair"), row(POINT, "print-point"),
-      made("ul", "legend", ...legends),
+      made("ul", "legend", ...legends.values()),
       ...(page.last.pins && pins ? [made("h2", "", "Pinned curves"), pins.cloneNode(true)] : []),
       made("h2", "", "Parameters"), parameters(),
       made("p", "print-link", `${page.here()}?${page.last.query}`));
