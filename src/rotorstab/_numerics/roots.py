@@ -41,6 +41,7 @@ def bracketed_roots(
     positive: Array,
     not_positive: Array,
     tolerance: float,
+    values: tuple[Array, Array] | None = None,
 ) -> Array:
     """Return a root of each of P functions between points where it is positive and where not.
 
@@ -52,6 +53,8 @@ def bracketed_roots(
         Points where each function is above 0, and where it is 0 or below. Either may be larger.
     tolerance : float
         Width of the last bracket, relative to the root.
+    values : ((P,) float, (P,) float), optional
+        The values at both points, where they are known.
 
     Returns
     -------
@@ -73,7 +76,7 @@ def bracketed_roots(
     """
     everyone = np.arange(len(positive))
     a, b = positive.copy(), not_positive.copy()
-    fa, fb = function(a, everyone), function(b, everyone)
+    fa, fb = values or (function(a, everyone), function(b, everyone))
     root = np.full_like(a, np.nan)
     live = np.flatnonzero((fa > 0) & (fb <= 0))
     a, b, fa, fb = a[live], b[live], fa[live], fb[live]

@@ -14,6 +14,7 @@ from ..floquet.interpolant.chart_interpolant import ChartInterpolant
 from ..floquet.point import floquet_solution
 from ..floquet.tongues.subpixel import growth_of_collisions, growth_of_table
 from ..model.system import System, single_speed
+from .grid_edges import GridEdges, grid_edges
 
 __all__ = ["StabilityChart", "stability_chart", "stability_map"]
 
@@ -42,6 +43,9 @@ class StabilityChart:
         Number of pixels that were computed again one by one.
     seeded : int
         Number of pixels that are unstable only because of a narrow tongue.
+    edges : GridEdges or None
+        The edge of the unstable set, on the rows below `System.largest_load`; None where it was
+        not asked for, and where there are no such rows.
     """
 
     pulsating_loads: Array
@@ -52,6 +56,7 @@ class StabilityChart:
     unstable: Mask
     refined: int
     seeded: int
+    edges: GridEdges | None = None
 
 
 def _checked(
@@ -77,6 +82,7 @@ def stability_chart(
     refine: bool = True,
     most_refined: int | None = None,
     seed: bool = True,
+    edges: bool = False,
 ) -> StabilityChart:
     """Return growth rates on a grid, with errors and the verdict of each pixel.
 
@@ -103,6 +109,9 @@ def stability_chart(
         Whether to search for tongues narrower than a pixel, and mark the pixels through which they
         pass. With two coordinates all tongues that grow faster than 1e-4 are found, of any order,
         down to the lowest root of the resonance table; with more coordinates those of the table.
+    edges : bool
+        Whether to find the edge of the unstable set between the points of the grid, whose loads,
+        0 or more, and frequencies must then rise.
 
     Returns
     -------
@@ -142,8 +151,11 @@ def stability_chart(
             "of pixels"
         )
     most = None if most_refined is None else whole_number("most_refined", most_refined, 0)
+    if edges and not all((np.diff(x, prepend=0) >= 0).all() for x in (all_loads, all_frequencies)):
+        raise ValueError("`edges` needs loads of 0 or more and frequencies in rising order")
     shape = (len(all_loads), len(all_frequencies))
     growth, error, peak = (np.full(shape, np.nan) for _ in range(3))
+    found: GridEdges | None = None
     refined = 0
     # rising loads below the pole, falling frequencies: rising periods
     columns = np.argsort(-all_frequencies, kind="stable")
@@ -154,15 +166,25 @@ def stability_chart(
         loads, periods = magnitude[rows], 2 * np.pi / frequencies
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             interpolant = ChartInterpolant(
-                system, static, float(loads[-1]), periods, density, between=seed
+                system,
+                static,
+                float(loads[-1]),
+                periods,
+                density,
+                between=seed,
+                resolve=np.inf if edges and system.size == 2 else 0.0,
             )
-            part, slack, _ = interpolant.growth(*interpolant.on_grid(loads, periods), periods)
+            solve = interpolant.growth_and_edge if edges else interpolant.growth
+            part, slack, smooth = solve(*interpolant.on_grid(loads, periods), periods)
             if refine:
                 refined = _refine(system, static, loads, frequencies, part, slack, most)
             part[(np.abs(part) <= slack) & ~(slack * periods < NO_VERDICT)] = np.nan
         highest = _with_subpixel(part, interpolant, loads, frequencies) if seed else part
         target = np.ix_(rows, columns)
         growth[target], peak[target] = part, highest
+        if edges:
+            rising = np.where(np.isnan(part), np.nan, smooth)[:, ::-1]
+            found = grid_edges(interpolant, rising, loads, frequencies[::-1].copy(), refine)
         error[target] = np.maximum(slack, SMALLEST_GROWTH)
     with np.errstate(invalid="ignore"):
         at_centre = is_unstable(growth, error)
@@ -171,7 +193,15 @@ def stability_chart(
         array.flags.writeable = False
     seeded = int((unstable & ~at_centre).sum())
     return StabilityChart(
-        all_loads, all_frequencies, growth, error, peak, unstable, refined, seeded
+        all_loads,
+        all_frequencies,
+        growth,
+        error,
+        peak,
+        unstable,
+        refined,
+        seeded,
+        found,
     )
 
 

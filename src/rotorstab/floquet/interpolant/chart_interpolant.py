@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from ..._numerics.chebyshev import chebyshev_values
 from ..._tolerances import NEGLIGIBLE
 from ..._types import AnyArray, Array
 from ...model.system import System
-from .growth import largest_modulus, self_inversive_growth
+from .edge_measure import edge_of_approach, edge_of_multipliers, with_verdict
+from .growth import Measure, collision_approach, largest_modulus, self_inversive_growth
 from .matrix_growth import matrix_growth, reversed_growth
 from .panels import Panel, plan_panels
 from .sampling import ERROR_POWER, MAP_LEVELS, NodeSampler, PanelSamples
@@ -199,23 +202,48 @@ class ChartInterpolant:
         growth, error, approach : (...) float
             `approach` as in `self_inversive_growth`, NaN without a closed form.
         """
+        if self.closed_form and not self.system.is_damped:
+            growth, slack, approach = self_inversive_growth(functions, error, with_approach)
+            return growth / periods, slack / periods, approach
+        measure = collision_approach if with_approach and self.closed_form else None
+        return self._solve(functions, error, periods, measure)
+
+    def growth_and_edge(
+        self, functions: AnyArray, error: Array, periods: Array
+    ) -> tuple[Array, Array, Array]:
+        """Return growth rates, bounds on their errors and the edge function.
+
+        It is positive where a point is unstable, else negative, and smooth through the edge: see
+        `edge_of_multipliers`, divided by T².
+        """
         damped = self.system.is_damped
         if self.closed_form and not damped:
-            growth, slack, approach = self_inversive_growth(functions, error, with_approach)
-        elif self.closed_form:
+            growth, slack, approach = self_inversive_growth(functions, error, with_approach=True)
+            growth, slack, smooth = growth / periods, slack / periods, edge_of_approach(approach)
+        else:
+            shift = -self.sampler.drift.imag * periods if self.closed_form else 0.0
+            measure = partial(edge_of_multipliers, shift=shift, damped=damped)
+            growth, slack, smooth = self._solve(functions, error, periods, measure)
+        return growth, slack, with_verdict(smooth / periods**2, growth, slack, damped)
+
+    def _solve(
+        self, functions: AnyArray, error: Array, periods: Array, measure: Measure | None
+    ) -> tuple[Array, Array, Array]:
+        """Return growth rates, bounds on their errors and a function of the multipliers."""
+        if self.closed_form:
             last = np.exp(-self.sampler.excess * periods)
-            growth, slack, approach = largest_modulus(functions, last, error, with_approach)
+            growth, slack, measured = largest_modulus(functions, last, error, measure)
             growth = growth - self.sampler.drift.imag * periods
         else:
             size = 2 * self.system.size
             shape = (*functions.shape[1:], size, size)
-            solver = matrix_growth if damped else reversed_growth
-            growth, slack = solver(
+            solver = matrix_growth if self.system.is_damped else reversed_growth
+            growth, slack, measured = solver(
                 np.moveaxis(functions, 0, -1).reshape(shape),
                 np.moveaxis(error, 0, -1).reshape(shape),
+                measure,
             )
-            approach = np.broadcast_to(np.nan, growth.shape)
-        return growth / periods, slack / periods, approach
+        return growth / periods, slack / periods, measured
 
     def at_points(
         self, panel: int, loads: Array, periods: Array, with_approach: bool = False
@@ -224,3 +252,19 @@ class ChartInterpolant:
         functions = self.scattered(panel, loads, periods)
         error = self.coefficient_error(panel, loads, periods)
         return self.growth(functions, error, periods, with_approach)
+
+    def edge(self, loads: Array, periods: Array) -> Array:
+        """Return the edge function at single points (P,), NaN outside of the panels."""
+        found = np.full(periods.shape, np.nan)
+        for index, panel in enumerate(self.panels):
+            at = np.flatnonzero((periods >= panel.low) & (periods <= panel.high))
+            if not at.size:
+                continue
+            load, period = loads[at], periods[at]
+            if panel.period_nodes:
+                functions = self.scattered(index, load, period)
+            else:
+                functions = self.sampler.single_points(panel, period, load)
+            error = self.coefficient_error(index, load, period)
+            found[at] = self.growth_and_edge(functions, error, period)[2]
+        return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 
 import numpy as np
@@ -10,7 +11,10 @@ from ..._numerics.root_bounds import root_distance
 from ..._types import Array, Complex, Mask
 from .characteristic import pair_halves, quartic_multipliers
 
-__all__ = ["largest_modulus", "self_inversive_growth"]
+__all__ = ["Measure", "collision_approach", "largest_modulus", "self_inversive_growth"]
+
+Measure = Callable[[Complex], Array]
+"""Maps multipliers (m, ...) to a number (...) of each set."""
 
 _BLOCK = 8192  # polynomials computed together: about what a processor's cache holds
 _FAR = 0.1  # part of a multiplier; an error that moves it farther is beyond a Taylor series
@@ -156,7 +160,7 @@ def _approach(y: Array, first: Array, second: Array) -> Array:
 
 
 def largest_modulus(
-    coefficients: Complex, determinant: Array, error: Array, with_approach: bool = False
+    coefficients: Complex, determinant: Array, error: Array, measure: Measure | None = None
 ) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of general quartics and a bound on its error.
 
@@ -192,13 +196,19 @@ def largest_modulus(
     lost = ~(high - low < _FAR * size)
     if lost.any():
         uncertainty[lost] = _far_off(growth[lost], np.abs(coefficients[:, lost]), error[:, lost])
-    approach: Array = np.broadcast_to(np.nan, size.shape)
-    if with_approach:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            pairs = [
-                ((roots[i] - roots[j]) ** 2 / (2 * roots[i] * roots[j])).real
-                for i, j in combinations(range(4), 2)
-            ]
-        # a multiplier that has decayed to 0 meets none
-        approach = np.fmax.reduce([np.where(np.isinf(pair), np.nan, pair) for pair in pairs])
-    return growth, np.asarray(uncertainty), approach
+    measured = np.broadcast_to(np.nan, size.shape) if measure is None else measure(roots)
+    return growth, np.asarray(uncertainty), measured
+
+
+def collision_approach(multipliers: Complex) -> Array:
+    """Return the largest Re cosh ln(μ_i/μ_j) − 1 of two of four multipliers (4, ...).
+
+    This is the approach of `self_inversive_growth` for multipliers that decay.
+    """
+    with np.errstate(divide="ignore", invalid="ignore"):
+        pairs = [
+            ((one - other) ** 2 / (2 * one * other)).real
+            for one, other in combinations(multipliers, 2)
+        ]
+    # a multiplier that has decayed to 0 meets none
+    return np.asarray(np.fmax.reduce([np.where(np.isinf(pair), np.nan, pair) for pair in pairs]))

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..._numerics.root_bounds import root_distance
 from ..._types import AnyArray, Array, Complex, Mask
+from .growth import Measure
 
 __all__ = ["matrix_growth", "reversed_growth"]
 
@@ -13,7 +14,9 @@ _STRONG = 1e-6  # |1 + t²| below which growth is so strong that the monodromy i
 _ROUNDING = 1e-15  # error of a matrix's entries, relative to the largest, in its eigenvalues
 
 
-def matrix_growth(monodromy: Complex, error: Array) -> tuple[Array, Array]:
+def matrix_growth(
+    monodromy: Complex, error: Array, measure: Measure | None = None
+) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of monodromies by their eigenvalues, and a bound on its error.
 
     Parameters
@@ -21,12 +24,16 @@ def matrix_growth(monodromy: Complex, error: Array) -> tuple[Array, Array]:
     monodromy : (..., m, m) complex
     error : (..., m, m) float
         Bounds on the errors of the entries.
+    measure : callable, optional
+        A function of the multipliers (m, ...).
 
     Returns
     -------
     growth, uncertainty : (...) float
         The error of an eigenvalue is |w| δM |v| / |w v|, with its eigenvectors w, v. NaN where an
         entry is not finite.
+    measured : (...) float
+        What `measure` returns; NaN without it.
     """
     good, monodromy, error = _finite(monodromy, error)
     values, right = np.linalg.eig(monodromy)
@@ -37,10 +44,13 @@ def matrix_growth(monodromy: Complex, error: Array) -> tuple[Array, Array]:
     high, low, top = (x.max(axis=-1) for x in (size + shift, size - shift, size))
     with np.errstate(divide="ignore"):
         uncertainty = np.log(np.maximum(high / top, top / np.maximum(low, 0)))
-    return np.where(good, np.log(top), np.nan), np.where(good, uncertainty, np.nan)
+    found = np.log(top), uncertainty, _measured(values, measure)
+    return tuple(np.where(good, part, np.nan) for part in found)  # type: ignore[return-value]
 
 
-def reversed_growth(half: Complex, error: Array) -> tuple[Array, Array]:
+def reversed_growth(
+    half: Complex, error: Array, measure: Measure | None = None
+) -> tuple[Array, Array, Array]:
     """Return ln max|μ| of conj(Y)⁻¹Y by a real eigenproblem, and a bound on its error.
 
     With Y = R + jS and Sx = tRx the multipliers are μ = (1 + jt)/(1 − jt), which lie on the unit
@@ -52,11 +62,15 @@ def reversed_growth(half: Complex, error: Array) -> tuple[Array, Array]:
         Y over half a period, where Y(−t) = conj Y(t).
     error : (..., m, m) float
         Bounds on the errors of the entries.
+    measure : callable, optional
+        A function of the multipliers (m, ...).
 
     Returns
     -------
     growth, uncertainty : (...) float
         Both exactly 0 where no two multipliers may meet. NaN where an entry is not finite.
+    measured : (...) float
+        What `measure` returns; NaN without it.
     """
     good, half, error = _finite(half, error)
     inverse = _inverse(half.real)
@@ -78,6 +92,7 @@ def reversed_growth(half: Complex, error: Array) -> tuple[Array, Array]:
     high = np.where(meets, log + shift, 0.0).max(axis=-1)
     low = np.maximum((log - shift).max(axis=-1), 0.0)
     uncertainty = np.maximum(high - growth, growth - low)
+    measured = _measured(mu, measure)
     # growth so strong that 1 − jt is a difference of nearly equal numbers
     strong = np.flatnonzero(good.ravel() & (rate.min(axis=-1).ravel() < _STRONG))
     if strong.size:
@@ -86,8 +101,17 @@ def reversed_growth(half: Complex, error: Array) -> tuple[Array, Array]:
         solver = _inverse(y.conj())
         monodromy = solver @ y
         doubt = np.abs(solver) @ (doubt + doubt @ np.abs(monodromy))
-        growth.flat[strong], uncertainty.flat[strong] = matrix_growth(monodromy, doubt)
-    return np.where(good, growth, np.nan), np.where(good, uncertainty, np.nan)
+        again = matrix_growth(monodromy, doubt, measure)
+        growth.flat[strong], uncertainty.flat[strong], measured.flat[strong] = again
+    found = growth, uncertainty, measured
+    return tuple(np.where(good, part, np.nan) for part in found)  # type: ignore[return-value]
+
+
+def _measured(values: Complex, measure: Measure | None) -> Array:
+    """Return a function of multipliers (..., m), NaN without one."""
+    if measure is None:
+        return np.full(values.shape[:-1], np.nan)
+    return measure(np.moveaxis(values, -1, 0))
 
 
 def _finite(matrix: Complex, error: Array) -> tuple[Mask, Complex, Array]:

@@ -127,12 +127,23 @@ class NodeSampler:
         error += _SUM_ROUNDING * len(load) * np.abs(values).max(axis=(1, 2))
         return PanelSamples(coefficients, error, step_error)
 
+    def single_points(self, panel: Panel, period: Array, load: Array) -> AnyArray:
+        """Return the entries of the propagator (4n², P) at P points of one panel, each integrated.
+
+        This is for more than two coordinates.
+        """
+        values = self._processed(period, load[:, None], MAP_LEVELS[0] * panel.steps)
+        return values.reshape(len(period), -1).T
+
     def _propagators(self, period: Array, load: Array, steps: int) -> Complex:
-        """Return Y (2n, 2n, T nodes, load nodes) over the part of a period that is integrated."""
+        """Return Y (2n, 2n, T nodes, load nodes) over the part of a period that is integrated.
+
+        `load` is (load nodes,) or, where each T has loads of its own, (T nodes, load nodes).
+        """
         return propagate(
             self.system,
             self.basis,
-            (np.full((1, 1), self.static_load), load[None]),
+            (np.full((1, 1), self.static_load), np.atleast_2d(load)),
             self.share * period[:, None],
             2 * np.pi * self.share,
             steps,
@@ -193,7 +204,8 @@ class NodeSampler:
         bracket = np.subtract.outer(frequencies, frequencies) * self.coupling / 24
         start = float(self.static_load - self.basis.load) + load
         end = start if self.share == 1 else start - 2 * load
-        change = np.array([end, -start])[:, None, :, None, None] * bracket
+        ends = np.array([np.atleast_2d(end), np.atleast_2d(-start)])
+        change = ends[..., None, None] * bracket
         change = change * np.square(self.share * period / steps)[:, None, None, None]
         square = change @ change / 2
         left, right = np.eye(len(frequencies)) + change + square + square @ change / 3
