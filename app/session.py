@@ -120,7 +120,7 @@ class Session:
             _LOG.exception("a message of type %r failed", kind)
             reply, content = Reply(), {"told": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
-        at_rest = kind != "change"
+        at_rest = kind not in ("change", "window")
         full = at_rest or self._only_the_point_moves(message)
         return {**self.redraw(full), **content, **self._describe(reply.errors, at_rest)}
 
@@ -152,9 +152,6 @@ class Session:
         if reply.reset_view:
             for page in self.pages.values():
                 page.reset_view()
-        if reply.keep_colours is not None:
-            for page in self.pages.values():
-                page.keep_colours(reply.keep_colours)
         return self.files.start(reply)
 
     def _change(self, message: Mapping[str, Any]) -> Reply:

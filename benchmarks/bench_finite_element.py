@@ -20,7 +20,6 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.results.limits import EDGE_CYCLES, LOWEST_EDGE
 from app.results.model import MODES
 from rotorstab import (
     TABLE_1_SI,
@@ -35,6 +34,9 @@ from rotorstab import (
     whirl_frequencies,
 )
 from rotorstab.maps.tongue_outlines import tongue_outlines
+
+EDGE_CYCLES = 60  # largest number of cycles of the fastest whirl in one period of the load
+LOWEST_EDGE = 0.4  # lowest θ/ω_n
 
 POINTS = 101
 ACCURATE = 6  # coordinates against which growth and edges are measured; all would take hours

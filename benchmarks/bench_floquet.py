@@ -87,7 +87,7 @@ def dashboard():
         refined = best(lambda w=window: floquet_map(w, Detail.REFINED), 3)
         line(f"page, moving: {name}", moving)
         line(f"page, at rest: {name}", settled)
-        note = f"{made.growth.refined} pixels refined, {len(made.outlines)} pieces with edges"
+        note = f"{made.growth.refined} pixels refined, {len(made.edges.thin)} thin tongues"
         line(f"page, then: {name}", refined, note)
 
 

@@ -39,7 +39,7 @@
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
               break;
             case "Figure":
-              if (model.name === "instability") veilNames(model, quiet);
+              if (model.name === "instability") { veilNames(model, quiet); watchWindow(model); }
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
@@ -52,6 +52,31 @@
   }
 
   page.paintCharts = paintCharts;
+
+  // -- zoom: the server computes the part of the instability chart that is seen, once the last part has been sent ----
+  const WAIT = 120; // ms between two messages while the chart is zoomed or moved
+  const watched = new WeakSet();
+  let sent = 0, waiting = 0, settling = 0;
+
+  function tellWindow(figure) {
+    const factors = page.last?.si?.factors?.[figure.name] ?? [1, 1];
+    const [left, right] = [figure.x_range.start, figure.x_range.end].map((end) => end / factors[0]);
+    const [low, high] = [figure.y_range.start, figure.y_range.end].map((end) => end / factors[1]);
+    sent = Date.now();
+    page.send({ type: "window", chart: figure.name, left, right, low, high });
+    clearTimeout(settling);
+    settling = setTimeout(() => page.send({ type: "settle" }), 2 * WAIT);
+  }
+
+  function watchWindow(figure) {
+    if (watched.has(figure)) return;
+    watched.add(figure);
+    const moved = () => {
+      clearTimeout(waiting);
+      waiting = setTimeout(() => tellWindow(figure), Math.max(0, sent + WAIT - Date.now()));
+    };
+    for (const range of [figure.x_range, figure.y_range]) range.change.connect(moved);
+  }
 
   // a chart that was created while its place changed its width hides its tools until it is laid out again
   page.relayout = () => {
@@ -188,6 +213,13 @@
   // the legend shows only the load–frequency curves that are drawn
   function showCurves(drawn) {
     for (const entry of document.querySelectorAll("[data-curve]")) entry.hidden = !drawn.includes(entry.dataset.curve);
+  }
+
+  // -- the range of the instability chart, and the scale of its colours ----
+  const USUAL = [0, 6], WHOLE = [0, 16]; // θ/ω_n
+  function showRange({ lowest_frequency, highest_frequency }) {
+    const whole = lowest_frequency === WHOLE[0] && highest_frequency === WHOLE[1];
+    document.querySelector("button.whole-range").textContent = whole ? `θ/ωₙ to ${USUAL[1]}` : "Whole range";
   }
 
   function showGrowthUnit({ growth_unit, units }) {
@@ -340,6 +372,8 @@
     notice.replaceChildren(...rich(notes.join(" ")));
     showLayers(data.values);
     showGrowthUnit(data.values);
+    showRange(data.values);
+    if (data.colours_fitted !== undefined) document.querySelector("button.fit-colours").setAttribute("aria-pressed", String(data.colours_fitted));
     if (data.curves) showCurves(data.curves);
     page.last = data;
     if (!seen.has(data.page)) {
@@ -392,6 +426,14 @@
       document.addEventListener("click", (event) => { if (!more.contains(event.target)) more.open = false; });
     }
     document.querySelector("button.view").addEventListener("click", () => page.send({ type: "view" }));
+    document.querySelector("button.whole-range").addEventListener("click", () => {
+      const [low, high] = page.last?.values.highest_frequency === WHOLE[1] ? USUAL : WHOLE;
+      page.change("lowest_frequency", low);
+      page.change("highest_frequency", high);
+      page.send({ type: "view" });
+    });
+    document.querySelector("button.fit-colours").addEventListener("click", (event) =>
+      page.send({ type: "colours", fit: event.currentTarget.getAttribute("aria-pressed") !== "true" }));
     document.querySelector("button.theme").addEventListener("click", () => setTheme(root.dataset.theme === "dark" ? "light" : "dark", true));
     window.addEventListener("popstate", visit); // fires for a change of the hash and for Back to another query
     visit();

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from bokeh.models import HoverTool, Range1d
+from bokeh.models import ColorBar, HoverTool, Range1d
 
 from rotorstab.charts import Chart, Layer
 from rotorstab.drawing import screen
@@ -53,11 +53,9 @@ class LiveChart:
         drawing = draw(chart)
         self.figure = drawing.figure
         self.sources, self.renderers = drawing.sources, drawing.renderers
-        self.colours = drawing.colours
         self._chart = drawing.chart
         self._drawn: dict[str, dict[str, Any]] = {}
         self._added: set[str] = set()
-        self._least_top: float | None = None
         self._ranges = {
             "x": (self.figure.x_range, drawing.chart.x_range),
             "y": (self.figure.y_range, drawing.chart.y_range),
@@ -82,8 +80,8 @@ class LiveChart:
             if moved:
                 self.sources[layer.label].data.update(moved)
                 self._drawn[layer.label] = columns
-                if layer.label in self.colours and layer.label == "growth":
-                    self._rescale(columns["image"][0])
+            if layer.kind == "bands":
+                self._set_scale(layer, chart.in_si)
         if _labels(chart) != _labels(self._chart):
             self._rename(self._chart, chart)
         self._chart = chart
@@ -113,21 +111,17 @@ class LiveChart:
             self._drawn[label] = {name: [] for name in self._drawn[label]}
             self.sources[label].data = dict(self._drawn[label])
 
-    def _rescale(self, image: np.ndarray) -> None:
-        """Fit the colours to the largest growth, rounded up so that they rarely change."""
-        # not the maximum: a few pixels of very slow loads would take all colours
-        largest = float(np.nanpercentile(image, 98)) if np.isfinite(image).any() else 0.0
-        step = 10.0 ** np.floor(np.log10(largest)) if largest > 0 else 1.0
-        top = float(np.ceil(largest / step) * step) or 1.0
-        if self._least_top is not None:
-            top = self._least_top = max(top, self._least_top)
-        self.colours["growth"].high = top
-
-    def keep_colours(self, keep: bool) -> None:
-        """Let the colour scale only grow from now on, to compare maps; or fit it to each map."""
-        self._least_top = 0.0 if keep else None
-        if "growth" in self.colours and "growth" in self._drawn:
-            self._rescale(self._drawn["growth"]["image"][0])
+    def _set_scale(self, layer: Layer, in_si: bool) -> None:
+        """Give the colours of growth their scale and its title."""
+        colours = self.renderers[layer.label].glyph.fill_color.transform
+        top = layer.columns["top"][0]
+        if colours.high != top:
+            colours.high = top
+        assert layer.quantity is not None
+        title = layer.quantity.label(in_si)
+        for bar in self.figure.select({"type": ColorBar}):
+            if bar.title != title:
+                bar.title = title
 
     def set_visible(self, shown: Mapping[str, bool]) -> None:
         """Show or hide layers by label."""

@@ -34,8 +34,6 @@ class Drawing:
     figure : bokeh.plotting.figure
     sources, renderers : dict
         By label.
-    colours : dict
-        Colour mappers of maps, by label.
     chart : Chart
         The chart that HoloViews drew; the figure has its ranges, units and names.
     """
@@ -43,7 +41,6 @@ class Drawing:
     figure: Any
     sources: dict[str, Any]
     renderers: dict[str, Any]
-    colours: dict[str, Any]
     chart: Chart
 
 
@@ -61,8 +58,8 @@ class _Kind:
 
 
 @shared_cache(64)
-def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
-    """Return a figure in Bokeh's serial form, the layers with colours, and the chart drawn."""
+def _drawn(kind: _Kind) -> tuple[Any, Chart]:
+    """Return a figure in Bokeh's serial form, and the chart drawn."""
     layers = kind.chart.layers
     plot = _RENDERER.get_plot(screen.element(kind.chart))
     parts: list[dict[str, Any]] = [subplot.handles for subplot in plot.subplots.values()]
@@ -75,13 +72,10 @@ def _drawn(kind: _Kind) -> tuple[Any, frozenset[str], Chart]:
         renderer.update(selection_glyph="auto", nonselection_glyph="auto", muted_glyph="auto")
         part["source"].data = {}
     figure.name = kind.key
-    coloured = frozenset(
-        layer.label for layer, part in layer_parts if layer.kind == "map" and "color_mapper" in part
-    )
     text = Serializer().serialize(figure)
     # the plot has joined the session that is being served, but serves all of them
     plot.cleanup()
-    return text, coloured, kind.chart
+    return text, kind.chart
 
 
 def draw(chart: Chart) -> Drawing:
@@ -89,13 +83,12 @@ def draw(chart: Chart) -> Drawing:
     fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
     layers = tuple((layer.kind, layer.label) for layer in fixed)
     kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
-    text, coloured, first = _drawn(kind)
+    text, first = _drawn(kind)
     figure = Deserializer().deserialize(text)
     renderers = {renderer.name: renderer for renderer in figure.renderers}
     return Drawing(
         figure,
         {label: renderer.data_source for label, renderer in renderers.items()},
         renderers,
-        {label: renderers[label].glyph.color_mapper for label in coloured},
         first,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import partial
 from pathlib import Path
@@ -67,8 +67,6 @@ class Reply:
         The reason for each input that was refused.
     reset_view : bool
         Whether every zoom is undone.
-    keep_colours : bool or None
-        Whether the colour scales of maps only grow from now on; None leaves that as it is.
     """
 
     content: Mapping[str, Any] = field(default_factory=dict)
@@ -78,7 +76,6 @@ class Reply:
     failure: Mapping[str, Any] = field(default_factory=dict)
     errors: Mapping[str, str] = field(default_factory=dict)
     reset_view: bool = False
-    keep_colours: bool | None = None
 
 
 class Page:
@@ -161,9 +158,19 @@ class Page:
         """Return by label whether the user has switched a layer on."""
         return {}
 
+    def homes(self, state: State) -> dict[str, tuple[tuple[float, float], tuple[float, float]]]:
+        """Return the ranges without a zoom of the charts that may show a part of them."""
+        return {}
+
     def show(self, state: State, detail: Detail = Detail.REFINED) -> None:
         """Build the charts on the first call, patch them on every later one."""
-        for key, chart in self.compute(state, detail).items():
+        charts = self.compute(state, detail)
+        homes = self.homes(state) if charts else {}
+        for key, seen in charts.items():
+            # a zoom is the browser's: the chart keeps the ranges to which a reset returns
+            chart = seen
+            if key in homes:
+                chart = replace(seen, x_range=homes[key][0], y_range=homes[key][1])
             if key in self.charts:
                 self.charts[key].show(chart)
             else:
@@ -175,11 +182,6 @@ class Page:
 
     def built(self, key: str, chart: LiveChart) -> None:
         """Complete a chart that has just been built."""
-
-    def keep_colours(self, keep: bool) -> None:
-        """Let the colour scales of the maps only grow, or fit each map again."""
-        for chart in self.charts.values():
-            chart.keep_colours(keep)
 
     def reset_view(self) -> None:
         """Undo every zoom."""

@@ -7,18 +7,20 @@ from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
 from bokeh.models import CustomJS
 
-from rotorstab.charts import Chart
+from rotorstab.charts import Chart, chart_factors, fitted_top, with_top
 
 from ..live.chart import LiveChart
 from ..live.low import make_low
 from ..live.small import make_small
 from ..reading.user_error import UserError
-from ..results.analysis import CHARTS, Result, solve, window_of
+from ..results.analysis import CHARTS, Result, home_view, solve, window_of
 from ..results.curves import load_cases
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
+from ..results.views import View, view_of
 from ..results.window import Window
 from ..state import SYMBOLS, State
 from ..state.address import MOST_PINS, PinnedInputs
@@ -34,6 +36,13 @@ from .pins import Pin, differences, pin, solve_pin, with_pins
 __all__ = ["Explore"]
 
 _LOG = logging.getLogger("rotorstab.app")
+VIEW_BOUNDS = (
+    *State.param["lowest_frequency"].bounds[:1],
+    *State.param["highest_frequency"].bounds[1:],
+    0.0,
+    *State.param["largest_factor"].bounds[1:],
+)
+"""Smallest and largest θ/ω_n and β_d that a zoom may show."""
 
 
 class Explore(Page):
@@ -50,6 +59,8 @@ class Explore(Page):
         self._unsolved_pins: list[PinnedInputs] = []  # of the address
         # the last inspection, and what it was made of
         self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
+        self.view: View | None = None  # the part of the instability chart that a zoom shows
+        self.fitted: dict[str, float] = {}  # upper ends of the colours that the user has asked for
 
     @classmethod
     def fragment(cls) -> str:
@@ -62,9 +73,12 @@ class Explore(Page):
 
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the three charts, and those of the marked point once there is time for them."""
-        result = solve(state, detail)
+        result = solve(state, detail, self.view)
         marked = state.marker and self.stage is Stage.COMPLETE
         charts = with_marks(result.charts, state, result) if marked else result.charts
+        top = self.fitted.get(state.growth_unit)
+        if top is not None:
+            charts = charts | {"instability": with_top(charts["instability"], top)}
         charts = with_pins(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
         if marked:
             inspection = self._inspect(state, result)
@@ -75,14 +89,15 @@ class Explore(Page):
     def awaited(self, state: State) -> Window | None:
         """Return the window of the growth map until its refined map is there."""
         try:
-            window = window_of(state)
+            window = window_of(state, self.view)
         except ValueError:  # `compute` raises the same error, for the user
             return None
         return None if known_detail(window) is Detail.REFINED else window
 
     def cache_key(self) -> tuple[Any, ...]:
-        """Return names, numbers and inputs of the pins, which the charts show."""
-        return tuple((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
+        """Return names, numbers and inputs of the pins, and the scales of the colours."""
+        pins = ((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
+        return *pins, *self.fitted.items(), self.view
 
     def _inspect(self, state: State, result: Result) -> Inspection | str:
         """Return the inspection of the marked point, or the reason why there is none.
@@ -103,13 +118,32 @@ class Explore(Page):
         """Return by label whether a layer of the instability chart is switched on."""
         return {
             "growth": state.show_growth,
+            "unstable": state.show_growth,
             "tongue edge": state.show_growth,
+            "thin tongue": state.show_growth,
             "tongue": state.show_growth,
             "disagreement": state.show_disagreement,
             "Bolotin region": state.show_bolotin,
             "boundary": state.show_bolotin,
             "boundary name": state.show_bolotin,
         }
+
+    def homes(self, state: State) -> dict[str, tuple[tuple[float, float], tuple[float, float]]]:
+        """Return the ranges that the instability chart has without a zoom."""
+        home = home_view(state.inputs())
+        x, y = 1.0, 1.0
+        scales = shown_scales(state)
+        if scales is not None:
+            numbers = solve(state, Detail.COARSE, self.view).numbers
+            x, y = chart_factors(
+                "instability", scales, numbers["fundamental"], numbers["reference"]
+            )
+        return {"instability": ((home.left * x, home.right * x), (home.low * y, home.high * y))}
+
+    def reset_view(self) -> None:
+        """Undo every zoom."""
+        super().reset_view()
+        self.view = None
 
     def built(self, key: str, chart: LiveChart) -> None:
         """Fit a chart into its place; a click on the instability chart places the marker."""
@@ -125,12 +159,17 @@ class Explore(Page):
             )
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
-        """Pin the present curves, remove a pin, or read or write the rotor."""
+        """Pin curves, remove a pin, zoom, fit the colours, or read or write the rotor."""
         kind = message.get("type")
         if kind == "pin":
             return self._pin(message.get("label"), state)
         if kind == "unpin":
             self.pins = [pin for pin in self.pins if pin.number != message.get("number")]
+        elif kind == "window":
+            if message.get("chart") == "instability":
+                self.view = view_of(message, VIEW_BOUNDS, home_view(state.inputs()))
+        elif kind == "colours":
+            self._fit_colours(message.get("fit") is True, state)
         elif kind == "use_shaft":
             return _use_shaft(state)
         elif kind == "rotor_file":
@@ -138,6 +177,14 @@ class Explore(Page):
         elif kind == "save_rotor_file":
             return _save_rotor_file(state)
         return Reply()
+
+    def _fit_colours(self, fit: bool, state: State) -> None:
+        """Fit the colours to the growth in the chart, or give them their usual scale again."""
+        self.fitted = {}
+        if fit:
+            bands = solve(state, Detail.COARSE, self.view).charts["instability"].layer("unstable")
+            growth = np.where(bands.columns["edge"][0] > 0, bands.columns["growth"][0], 0.0)
+            self.fitted = {state.growth_unit: fitted_top(growth)}
 
     def _pin(self, name: object, state: State) -> Reply:
         try:
@@ -180,7 +227,7 @@ class Explore(Page):
 
     def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
-        result = solve(state, detail)
+        result = solve(state, detail, self.view)
         answer = {
             "numbers": result.numbers,
             "verdict": verdict(
@@ -195,6 +242,7 @@ class Explore(Page):
                 for case in load_cases(state.model, state.effective_tangency(), state.stiffness)
             ],
             "inspector": None,
+            "colours_fitted": state.growth_unit in self.fitted,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,
         }

@@ -137,7 +137,7 @@ class Lessons(Page):
             self._running = None
             state.change(self._before)
             self._before = {}
-            return Reply(keep_colours=False)
+            return Reply()
         elif step is None:
             return Reply()
         elif message_type == "lesson-set":
@@ -164,7 +164,7 @@ class Lessons(Page):
         answer: dict[str, Any] = {"lesson": describe(*self._running)}
         if asked > last:
             answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
-        return Reply(answer, reset_view=not message.get("keep"), keep_colours=True)
+        return Reply(answer, reset_view=not message.get("keep"))
 
     def _grade(self, step: Step, value: Any, state: State) -> dict[str, Any]:
         try:

@@ -29,17 +29,23 @@ from .floquet_answer import TABLE_FACTOR, FloquetAnswer, floquet_answer
 from .growth_maps import known_map
 from .limits import Detail
 from .operation import Operation, operation_of
+from .views import View
 from .window import FloquetMap, Window
 
 __all__ = [
     "CHARTS",
+    "GROWTH_TOPS",
     "Result",
+    "home_view",
     "solve",
     "window_of",
 ]
 
 CHARTS = ("instability", "load-frequency", "campbell")
-BOUNDARY_ROWS = 120  # loads at which Bolotin's boundaries are computed
+BOUNDARY_ROWS, MOST_BOUNDARY_ROWS = 120, 1200  # loads at which Bolotin's boundaries are computed
+GROWTH_TOPS = {"per time": 0.2, "per period": 1.0}
+"""Growth σ̄ or σ̄T at the upper end of the colours; faster growth has the last colour. They suit the
+paper's rotor, and stay the same while one explores."""
 _ROUNDING = 1e-12  # by which Ī_P may exceed 2 Ī_D and still be equal
 
 
@@ -84,33 +90,41 @@ def _checked_loads(operation: Operation) -> tuple[float, float]:
     return operation.reference_load, static
 
 
-def _window(inputs: Mapping[str, Any]) -> Window:
+def home_view(inputs: Mapping[str, Any]) -> View:
+    """Return what the instability chart shows without a zoom."""
+    return View(*_frequency_range(inputs), 0.0, inputs["largest_factor"])
+
+
+def _window(inputs: Mapping[str, Any], view: View | None) -> Window:
     """Return the window of the growth map."""
     operation: Operation = inputs["operation"]
     _, static = _checked_loads(operation)
+    seen = view or home_view(inputs)
     return Window(
         operation.model,
         operation.spin_speed,
         operation.tangency,
         static,
-        operation.excitation_frequency(inputs["lowest_frequency"]),
-        operation.excitation_frequency(inputs["highest_frequency"]),
-        operation.pulsating_load(inputs["largest_factor"]),
+        operation.excitation_frequency(seen.left),
+        operation.excitation_frequency(seen.right),
+        operation.pulsating_load(seen.high),
+        operation.pulsating_load(seen.low),
     )
 
 
 @shared_cache(128)
-def _solve(items: tuple[tuple[str, Any], ...], detail: Detail) -> Result:
+def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None) -> Result:
     inputs = dict(items)
     operation: Operation = inputs["operation"]
     system = operation.system
     reference, static = _checked_loads(operation)
-    made = known_map(_window(inputs), detail)
+    made = known_map(_window(inputs, view), detail)
+    seen = view or home_view(inputs)
     table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
     ends_at = (system.largest_load - static) / reference
     curves = campbell(operation.model, operation.tangency, static)
     charts = (
-        _instability_chart(inputs, made, table, ends_at),
+        _instability_chart(inputs, made, table, ends_at, seen),
         _load_frequency_chart(operation, inputs["stiffness"]),
         campbell_chart(curves, operation.spin_speed, critical_speeds(system, static)),
     )
@@ -123,8 +137,8 @@ def _solve(items: tuple[tuple[str, Any], ...], detail: Detail) -> Result:
             detail,
             fundamental=operation.fundamental_frequency,
             reference=reference,
-            frequency_range=_frequency_range(inputs),
-            largest_factor=inputs["largest_factor"],
+            frequency_range=(seen.left, seen.right),
+            largest_factor=seen.high,
             ends_at=ends_at,
         ),
     )
@@ -135,25 +149,34 @@ def _frequency_range(inputs: Mapping[str, Any]) -> tuple[float, float]:
 
 
 def _instability_chart(
-    inputs: Mapping[str, Any], made: FloquetMap, table: ResonanceTable, ends_at: float
+    inputs: Mapping[str, Any],
+    made: FloquetMap,
+    table: ResonanceTable,
+    ends_at: float,
+    seen: View,
 ) -> Chart:
     operation: Operation = inputs["operation"]
     frequency, reference = operation.fundamental_frequency, operation.reference_load
-    top = inputs["largest_factor"]
+    top = seen.high
     largest = operation.pulsating_load(min(top, ends_at))
     grid = GrowthGrid(
         made.growth.growth,
         made.growth.unstable,
         made.mask,
+        (seen.left, seen.right, seen.low, seen.high),
         inputs["growth_unit"] == "per period",
-        made.outlines,
+        made.edges,
+        made.rates,
+        GROWTH_TOPS[inputs["growth_unit"]],
     )
+    # as many rows in what is seen, however small a part of the loads it is
+    rows = min(MOST_BOUNDARY_ROWS, round(BOUNDARY_ROWS * top / (top - seen.low)))
     return instability_chart(
-        bolotin_chart(operation.undamped, operation.static_load, largest, BOUNDARY_ROWS),
+        bolotin_chart(operation.undamped, operation.static_load, largest, rows),
         frequency,
         reference,
-        _frequency_range(inputs),
-        top,
+        (seen.left, seen.right),
+        (seen.low, top),
         grid,
         [(row.centre / frequency, row.name) for row in table.tongues],
     )
@@ -194,12 +217,12 @@ def _drawn(state: State) -> dict[str, Any]:
     return inputs | {"operation": operation_of(state)}
 
 
-def window_of(state: State) -> Window:
+def window_of(state: State, view: View | None = None) -> Window:
     """Return the window of the state's growth map; UserError as `solve`."""
-    return _window(_drawn(state))
+    return _window(_drawn(state), view)
 
 
-def solve(state: State, detail: Detail = Detail.REFINED) -> Result:
+def solve(state: State, detail: Detail = Detail.REFINED, view: View | None = None) -> Result:
     """Return the charts and key numbers of the state's present inputs.
 
     Parameters
@@ -207,10 +230,12 @@ def solve(state: State, detail: Detail = Detail.REFINED) -> Result:
     state : State
     detail : Detail
         Of the growth map; coarse while sliders move.
+    view : View, optional
+        The part of the instability chart that a zoom shows.
 
     Raises
     ------
     UserError
         Where these inputs have no answer.
     """
-    return _solve(tuple(_drawn(state).items()), detail)
+    return _solve(tuple(_drawn(state).items()), detail, view)

@@ -99,6 +99,7 @@ def floquet_answer(
         row.threshold < largest_factor * reference and low < row.centre / fundamental < high
         for row in table.tongues
     )
+    has_thin = made.edges is not None and bool(made.edges.thin)
     return FloquetAnswer(
         table=table,
         frequency_range=frequency_range,
@@ -109,7 +110,7 @@ def floquet_answer(
         followed_from=_followed_from(growth, fundamental),
         ends_at=ends_at if ends_at < largest_factor else math.inf,
         unknown_share=_unknown_share(growth),
-        has_tongues=bool(made.outlines) or has_first_order,
+        has_tongues=has_thin or has_first_order,
     )
 
 

@@ -7,7 +7,10 @@ unusual one is blank on the page, and the page says so.
 from __future__ import annotations
 
 from enum import Enum
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from .model import Model
 
 __all__ = ["Detail", "MapSize", "map_size"]
 
@@ -24,47 +27,64 @@ class Detail(Enum):
 
 
 class MapSize(NamedTuple):
-    """Rows and columns of a growth map, and the density of its nodes (see `stability_chart`)."""
+    """Size of a growth map and of the finer grid on which the edges of tongues are found.
+
+    Parameters
+    ----------
+    rows, columns : int
+        Pixels of the map.
+    density : float
+        Of the nodes, see `stability_chart`.
+    finer : int
+        Columns of the grid in each pixel, an odd number. A tongue that is narrower than a column
+        is found by itself, and where an edge crosses a column or a row is known exactly.
+    """
 
     rows: int
     columns: int
     density: float
+    finer: int
 
 
-_COARSE_MAPS = {"lumped": MapSize(40, 80, 0.6), "finite elements": MapSize(20, 40, 0.6)}
-_FULL_MAPS = {"lumped": MapSize(120, 240, 1.0), "finite elements": MapSize(48, 120, 1.0)}
+_LUMPED, _ELEMENTS = "lumped", "finite elements"
+# by kind of model, and whether it is damped: a point takes 1 µs, with damping 4 µs, and with finite
+# elements 0.1 ms
+_COARSE_MAPS = {
+    (_LUMPED, False): MapSize(40, 108, 1.0, 3),
+    (_LUMPED, True): MapSize(32, 80, 1.0, 3),
+    (_ELEMENTS, False): MapSize(16, 64, 0.6, 1),
+    (_ELEMENTS, True): MapSize(14, 56, 0.6, 1),
+}
+_FULL_MAPS = {_LUMPED: MapSize(120, 240, 1.0, 3), _ELEMENTS: MapSize(48, 120, 1.0, 1)}
 
 
-def map_size(kind: str, detail: Detail) -> MapSize:
-    """Return the size of the growth map of a kind of model."""
-    return (_COARSE_MAPS if detail is Detail.COARSE else _FULL_MAPS)[kind]
+def map_size(model: Model, detail: Detail) -> MapSize:
+    """Return the size of the growth map of a model."""
+    if detail is Detail.COARSE:
+        return _COARSE_MAPS[model.kind, model.is_damped]
+    return _FULL_MAPS[model.kind]
 
 
-MOST_REFINED = {"lumped": 600, "finite elements": 60}
+MOST_REFINED = {"lumped": 1800, "finite elements": 60}
 """Largest number of pixels computed one by one, by kind of model; those in doubt come first."""
 
 MOST_CYCLES = 1000
 """Largest number of cycles of the fastest whirl in one period of the load, on a growth map and in
 the marked point: the time of a column rises with it, and without bound for a slow load."""
 MOST_WORK = {
-    ("lumped", False): 5000,
-    ("lumped", True): 2500,
-    ("finite elements", False): 4000,
-    ("finite elements", True): 2500,
+    (_LUMPED, False): 20,
+    (_LUMPED, True): 10,
+    (_ELEMENTS, False): 33,
+    (_ELEMENTS, True): 20,
 }
-"""Largest sum of these cycles over the columns of a map, by kind of model and whether it is damped:
-a full map then takes some seconds at most."""
-COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.25
+"""Largest sum of these cycles over the columns of a map, divided by the number of columns, by kind
+of model and whether it is damped: a full map then takes some seconds at most."""
+COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.75
 """Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
 map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It
 may take the share `COARSE_WORK` of `MOST_WORK`."""
 MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.REFINED: 2_000_000}
 """Largest sum of nodes times steps of a map, 0.1 s or some 4 s of work (`columns_within_work`)."""
-
-EDGE_CYCLES = 60
-"""As `MOST_CYCLES`, for the edges of the tongues."""
-LOWEST_EDGE = 0.4
-"""Lowest θ/ω_n at which edges are drawn: below it tongues crowd, and the pixels show them."""
 
 MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
 """Largest number of steps in one period of the load in the marked point, by kind of model: 0.1 s of

@@ -1,11 +1,11 @@
-"""The growth map of a chart's window: Floquet's growth, Bolotin's mask, exact tongue edges.
+"""The growth map of a chart's window: Floquet's growth and its edges, and Bolotin's mask.
 
 Arguments and results can be pickled, so that another process can make a map.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,20 +14,17 @@ from numpy.typing import NDArray
 from rotorstab import (
     StabilityChart,
     bolotin_mask,
-    fundamental_frequency,
-    lumped,
     stability_chart,
     whirl_frequencies,
 )
-from rotorstab.floquet.tongues.outlines import Outline
-from rotorstab.maps.tongue_outlines import tongue_outlines
+from rotorstab.maps.grid_edges import GridEdges
 from rotorstab.maps.work import columns_within_work
 
 from . import limits
 from .limits import Detail, map_size
 from .model import Model
 
-__all__ = ["FloquetMap", "Window", "chart_options", "floquet_map", "window_outlines"]
+__all__ = ["FloquetMap", "Window", "chart_options", "floquet_map"]
 
 
 @dataclass(frozen=True)
@@ -45,6 +42,8 @@ class Window:
         Lowest and highest excitation frequency θ̄ [√(EI/(ρAL⁴))].
     top : float
         Largest pulsating load p̄_t [EI/L²].
+    bottom : float
+        Smallest one.
     """
 
     model: Model
@@ -54,25 +53,36 @@ class Window:
     low: float
     high: float
     top: float
+    bottom: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class FloquetMap:
-    """The growth map of a window, Bolotin's mask on its pixels, and the tongue edges if known.
+    """The growth map of a window, Bolotin's mask on its pixels, and on a finer grid the edges.
 
     The map is NaN in columns whose load is too slow to be followed, and in rows whose load passes
-    `System.largest_load`.
+    `System.largest_load`; the grid of the edges has no such rows and columns.
+
+    Parameters
+    ----------
+    growth : StabilityChart
+    mask : (R, C) bool
+    edges : GridEdges or None
+        None where nothing is computed.
+    rates : (R', C') float or None
+        Growth rates on the grid of the edges.
     """
 
     growth: StabilityChart
     mask: NDArray[np.bool_]
-    outlines: tuple[Outline, ...] = ()
+    edges: GridEdges | None = None
+    rates: NDArray[np.float64] | None = None
 
 
 def chart_options(model: Model, detail: Detail) -> dict[str, Any]:
     """Return the options of `stability_chart` for the growth map of a model."""
     return {
-        "density": map_size(model.kind, detail).density,
+        "density": map_size(model, detail).density,
         "refine": detail is Detail.REFINED,
         "most_refined": limits.MOST_REFINED[model.kind],
         # tongues narrower than a pixel are shown by their edges
@@ -80,40 +90,59 @@ def chart_options(model: Model, detail: Detail) -> dict[str, Any]:
     }
 
 
+class _Axis:
+    """The pixels of one axis, and the nodes of a finer grid with the ends of the window.
+
+    Parameters
+    ----------
+    low, high : float
+        The window.
+    pixels, finer : int
+        Number of pixels, and of nodes in each of them, an odd number.
+    """
+
+    def __init__(self, low: float, high: float, pixels: int, finer: int) -> None:
+        count = pixels * finer
+        step = (high - low) / count
+        inner = low + (np.arange(count) + 0.5) * step
+        # a load that does not pulsate in time has no period
+        first = [low] if low > step else []
+        self.nodes = np.concatenate([first, inner, [high]])
+        self.pixels = len(first) + finer // 2 + finer * np.arange(pixels)
+
+    @property
+    def centres(self) -> NDArray[np.float64]:
+        """The centres of the pixels."""
+        return np.asarray(self.nodes[self.pixels])
+
+
 def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     """Return the map of a window; a full one takes some ten times as long as a coarse one."""
     model = window.model
-    rows, columns, _ = map_size(model.kind, detail)
-    loads = (np.arange(rows) + 0.5) / rows * window.top
-    span = window.high - window.low
-    frequencies = window.low + (np.arange(columns) + 0.5) / columns * span
-    growth = _growth(window, loads, frequencies, detail)
+    size = map_size(model, detail)
+    across = _Axis(window.low, window.high, size.columns, size.finer)
+    up = _Axis(window.bottom, window.top, size.rows, 1)
+    if window.bottom == 0:
+        up.nodes, up.pixels = np.append(0.0, up.nodes), up.pixels + 1
+    whole, known = _growth(window, up.nodes, across.nodes, detail)
     undamped = model.undamped().system(window.spin_speed, window.tangency)
-    mask = np.zeros((rows, columns), dtype=np.bool_)
-    inside = window.static_load + loads < undamped.largest_load
-    mask[inside] = bolotin_mask(undamped, window.static_load, loads[inside], frequencies)
-    outlines = window_outlines(window) if detail is Detail.REFINED else ()
-    return FloquetMap(growth, mask, outlines)
-
-
-def window_outlines(window: Window) -> tuple[Outline, ...]:
-    """Return the edges of the tongues in a window, where they can be computed in a short time."""
-    model = window.model
-    fundamental = fundamental_frequency(lumped(model.rotor, 0.0, 1.0))
-    return tongue_outlines(
-        model.system(window.spin_speed, window.tangency),
-        window.static_load,
-        window.top,
-        max(window.low, limits.LOWEST_EDGE * fundamental),
-        window.high,
-        most_cycles=limits.EDGE_CYCLES,
-    )
+    mask = np.zeros((size.rows, size.columns), dtype=np.bool_)
+    inside = window.static_load + up.centres < undamped.largest_load
+    if inside.any():
+        mask[inside] = bolotin_mask(
+            undamped, window.static_load, up.centres[inside], across.centres
+        )
+    growth = _on_pixels(whole, known, up, across)
+    edges = whole.edges if whole is not None else None
+    if whole is None or edges is None:
+        return FloquetMap(growth, mask)
+    return FloquetMap(growth, mask, edges, whole.growth[: len(edges.pulsating_loads)])
 
 
 def _growth(
     window: Window, loads: NDArray[np.float64], frequencies: NDArray[np.float64], detail: Detail
-) -> StabilityChart:
-    """Return the growth map, NaN where the load is too slow to be followed."""
+) -> tuple[StabilityChart | None, NDArray[np.bool_]]:
+    """Return the growth in the columns whose load can be followed, and which these are."""
     model = window.model
     system = model.system(window.spin_speed, window.tangency)
     known = _followed(window, frequencies, detail)
@@ -124,24 +153,35 @@ def _growth(
             window.static_load,
             float(inside.max()),
             frequencies[known],
-            map_size(model.kind, detail).density,
+            map_size(model, detail).density,
             limits.MOST_NODES[detail],
         )
-    shape = (len(loads), len(frequencies))
-    unknown, no = np.full(shape, np.nan), np.zeros(shape, dtype=np.bool_)
     if not known.any():
-        return StabilityChart(loads, frequencies, unknown, unknown, unknown, no, 0, 0)
+        return None, known
+    options = chart_options(model, detail)
     chart = stability_chart(
-        system, window.static_load, loads, frequencies[known], **chart_options(model, detail)
+        system, window.static_load, loads, frequencies[known], edges=True, **options
     )
-    if known.all():
-        return chart
-    wide: dict[str, Any] = {}
-    for name in ("growth", "error", "peak_growth", "unstable"):
-        wide[name] = (no if name == "unstable" else unknown).copy()
-        wide[name][:, known] = getattr(chart, name)
-        wide[name].flags.writeable = False
-    return replace(chart, excitation_frequencies=frequencies, **wide)
+    return chart, known
+
+
+def _on_pixels(
+    whole: StabilityChart | None, known: NDArray[np.bool_], up: _Axis, across: _Axis
+) -> StabilityChart:
+    """Return a chart on the pixels of the map, NaN in the columns that are not computed."""
+    shape = len(up.pixels), len(across.pixels)
+    unknown, no = np.full(shape, np.nan), np.zeros(shape, dtype=np.bool_)
+    parts: dict[str, Any] = {"growth": unknown, "error": unknown, "peak_growth": unknown}
+    parts["unstable"] = no
+    if whole is not None:
+        seen = known[across.pixels]
+        column = (np.cumsum(known) - 1)[across.pixels[seen]]
+        for name, blank in parts.items():
+            parts[name] = blank.copy()
+            parts[name][:, seen] = getattr(whole, name)[np.ix_(up.pixels, column)]
+            parts[name].flags.writeable = False
+    refined = 0 if whole is None else whole.refined
+    return StabilityChart(up.centres, across.centres, **parts, refined=refined, seeded=0)
 
 
 def _followed(
@@ -156,7 +196,7 @@ def _followed(
     system = model.system(window.spin_speed, window.tangency)
     fastest = float(np.abs(whirl_frequencies(system, window.static_load)).max())
     cycles = fastest / frequencies
-    most_work = float(limits.MOST_WORK[model.kind, model.is_damped])
+    most_work = float(limits.MOST_WORK[model.kind, model.is_damped]) * len(frequencies)
     most_cycles = float(limits.MOST_CYCLES)
     if detail is Detail.COARSE:
         most_work *= limits.COARSE_WORK

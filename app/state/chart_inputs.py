@@ -32,7 +32,7 @@ class ChartInputs(param.Parameterized):
     )
     highest_frequency = Number(
         Facts("fmax", Use.PINNED | Use.REPORTED | Use.PICTURE, symbol="θ/ωₙ max"),
-        default=16.0,
+        default=6.0,
         bounds=(0.5, 40.0),
         step=0.1,
         label="Highest frequency",

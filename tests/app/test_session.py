@@ -60,7 +60,8 @@ MOVES = {
     "si_diametral_inertia": (0.02, set()),
     "si_polar_inertia": (0.03, set()),
 }
-FLOQUET = ("growth", "disagreement", "tongue", "tongue edge")  # coarser while inputs move
+# coarser while inputs move
+FLOQUET = ("growth", "unstable", "disagreement", "tongue", "tongue edge", "thin tongue")
 INSPECTOR = {
     "marker",
     "marker_follows",
@@ -389,7 +390,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
     change(session, shear=0.03)
     before = picture(session)
 
-    def no_answer(state, detail=Detail.REFINED):
+    def no_answer(state, detail=Detail.REFINED, view=None):
         raise UserError("this rotor has no such load")
 
     monkeypatch.setattr(explore, "solve", no_answer)
@@ -407,7 +408,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
 def test_a_failure_keeps_the_picture_and_tells_no_detail(session, monkeypatch, caplog):
     before = picture(session)
 
-    def failure(state, detail=Detail.REFINED):
+    def failure(state, detail=Detail.REFINED, view=None):
         raise RuntimeError("a detail of the inside")
 
     monkeypatch.setattr(explore, "solve", failure)
@@ -447,7 +448,59 @@ def test_a_zoom_along_one_axis_leaves_the_other_following(session):
     change(session, largest_factor=0.5)
     assert ranges(live) == [(2.0, 4.0), (0.0, 0.5)]
     session.respond({"type": "reset"})
-    assert ranges(live) == [(0.0, 16.0), (0.0, 1.0)]
+    assert ranges(live) == [(0.0, 6.0), (0.0, 1.0)]
+
+
+def test_a_zoom_computes_what_is_seen(session):
+    live = charts(session)["instability"]
+    window = {"left": 1.2, "right": 2.2, "low": 0.6, "high": 0.9}
+    zoom(live, (1.2, 2.2), (0.6, 0.9))
+    answer = session.respond({"type": "window", "chart": "instability", **window})
+    assert not answer["at_rest"]
+    data = live.sources["tongue edge"].data
+    x, y = (np.concatenate(data[axis]) for axis in ("xs", "ys"))
+    assert (np.nanmin(x), np.nanmax(x)) >= (1.2, 1.2)
+    assert np.nanmax(x) <= 2.2
+    assert (np.nanmin(y), np.nanmax(y)) == pytest.approx((0.6, 0.9))
+    # the reset still leads to the whole window, and a new value keeps the zoom
+    assert live.figure.x_range.reset_end == 6.0
+    change(session, spin_speed=1.9)
+    assert np.nanmin(np.concatenate(live.sources["tongue edge"].data["ys"])) >= 0.6
+    session.respond({"type": "view"})
+    assert np.nanmin(np.concatenate(live.sources["tongue edge"].data["ys"])) < 0.1
+
+
+@pytest.mark.parametrize(
+    "window",
+    [
+        {},
+        {"left": 2.0, "right": 1.0, "low": 0.0, "high": 1.0},
+        {"left": math.nan, "right": 1.0, "low": 0.0, "high": 1.0},
+        {"left": -5.0, "right": -1.0, "low": 0.0, "high": 1.0},
+        {"left": 0.0, "right": 6.0, "low": "0", "high": 1.0},
+        {"left": True, "right": 6.0, "low": 0.0, "high": 1.0},
+        {"left": 1.0, "right": 1.0 + 1e-9, "low": 0.0, "high": 1.0},
+        {"left": 0.0, "right": math.inf, "low": 0.0, "high": 1.0},
+    ],
+)
+def test_a_window_that_cannot_be_shown_is_not_taken(session, window):
+    before = picture(session)
+    session.respond({"type": "window", "chart": "instability", **window})
+    assert session.pages["explore"].view is None
+    assert picture(session)["campbell"] == before["campbell"]
+
+
+def test_colours_are_fitted_on_demand_only(session):
+    scale = charts(session)["instability"].renderers["unstable"].glyph.fill_color.transform
+    change(session, spin_speed=1.0, disk_mass=2.0)
+    assert scale.high == 0.2
+    assert session.respond({"type": "colours", "fit": True})["colours_fitted"]
+    fitted = scale.high
+    assert fitted != 0.2
+    change(session, disk_mass=1.0)
+    assert scale.high == fitted
+    assert not session.respond({"type": "colours", "fit": False})["colours_fitted"]
+    assert scale.high == 0.2
 
 
 def test_ranges_follow_where_nobody_zoomed(session):

@@ -24,7 +24,7 @@ from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
-KINDS = {"regions", "outlines", "lines", "points", "labels", "map"}
+KINDS = {"regions", "outlines", "lines", "points", "labels", "map", "bands", "edges"}
 PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
 
 
@@ -45,7 +45,7 @@ def sound(chart):
         where = chart.key, layer.label
         assert layer.kind in KINDS, where
         assert len({len(column) for column in layer.columns.values()}) == 1, where
-        if layer.kind != "map":
+        if layer.kind not in ("map", "bands"):
             assert all(layer.columns["name"]), where
         if layer.kind in ("lines", "outlines"):
             assert set(layer.columns["role"]) <= set(ROLES), where
@@ -214,7 +214,7 @@ def test_a_patched_chart_equals_one_built_anew(key):
 def test_the_legend_of_the_map_shows_the_colours_of_the_map():
     """Growth lies over the shading, so that its colours are those of the colour bar everywhere."""
     labels = [layer.label for layer in solve(State()).charts["instability"].layers]
-    assert labels[:3] == ["disagreement", "growth", "Bolotin region"]
+    assert labels[:4] == ["disagreement", "growth", "unstable", "Bolotin region"]
     css = (ASSETS / "page.css").read_text(encoding="utf-8")
     (stops,) = re.findall(r"--growth: linear-gradient\(to right, ([^)]*)\)", css)
     palette = screen.GROWTH_COLOURS
@@ -247,7 +247,7 @@ def test_ticks_of_a_large_orbit_are_few_and_short():
     st.floats(5.0, 14.0),
 )
 def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high):
-    columns = tongue_labels([(x, "1B+1F") for x in places], (low, high), 1.0).columns
+    columns = tongue_labels([(x, "1B+1F") for x in places], (low, high), (0.0, 1.0)).columns
     rows = list(zip(columns["x"], columns["y"], columns["side"], strict=True))
     assert len(rows) == sum(low <= x <= high for x in places)
     spans = []

@@ -13,7 +13,7 @@ from .roles import ROLES, Role
 from .si import chart_factors, in_seconds, in_si
 from .stiffness import error_loads, stiffness_charts
 from .structure import Chart, Curve, Layer
-from .tongues import GrowthGrid
+from .tongues import GrowthGrid, fitted_top, with_top
 from .whirl import campbell_chart, load_frequency_chart
 
 __all__ = [
@@ -30,6 +30,7 @@ __all__ = [
     "chart_factors",
     "chart_figure",
     "error_loads",
+    "fitted_top",
     "in_seconds",
     "in_si",
     "instability_chart",
@@ -41,5 +42,6 @@ __all__ = [
     "pair_layers",
     "response_chart",
     "stiffness_charts",
+    "with_top",
     "written",
 ]

@@ -9,7 +9,16 @@ from typing import Any, Literal
 from .quantities import GROWTH, GROWTH_SI, Quantity
 from .structure import Chart, Curve, Layer
 
-__all__ = ["Figure", "Statement", "Value", "Verdict", "chart_figure", "growth_layer", "growth_of"]
+__all__ = [
+    "Figure",
+    "Statement",
+    "Value",
+    "Verdict",
+    "chart_figure",
+    "growth_bands",
+    "growth_layer",
+    "growth_of",
+]
 
 Verdict = Literal[
     "agree",
@@ -86,7 +95,7 @@ class Figure:
     @property
     def has_floquet(self) -> bool:
         """Whether it shows what Floquet finds unstable."""
-        return any(panel.unstable for panel in self.panels)
+        return any(panel.shows_floquet for panel in self.panels)
 
     def groups(self) -> dict[str, Curve]:
         """Return one line or point of every group, in the order of drawing, dotted last."""
@@ -116,6 +125,11 @@ class Figure:
 def growth_layer(chart: Chart) -> Layer | None:
     """Return the map of growth of a chart, None where it has none."""
     return next((layer for layer in chart.of_kind("map") if layer.quantity is not None), None)
+
+
+def growth_bands(chart: Chart) -> Layer | None:
+    """Return the bands of growth of a chart, None where it has none."""
+    return next(iter(chart.of_kind("bands")), None)
 
 
 def growth_of(chart: Chart) -> Quantity:

@@ -11,7 +11,7 @@ from .columns import Lines, label_columns
 from .modes import modes
 from .quantities import EXCITATION_RATIO, LOAD_FACTOR
 from .structure import Chart, Layer
-from .tongues import GrowthGrid, edge_layer, growth_layers, tongue_labels
+from .tongues import GrowthGrid, growth_layers, outline_layers, tongue_labels
 
 __all__ = ["BOLOTIN", "instability_chart"]
 
@@ -24,7 +24,7 @@ def instability_chart(
     fundamental_frequency: float,
     reference_load: float,
     frequency_range: tuple[float, float],
-    largest_factor: float,
+    factor_range: float | tuple[float, float],
     grid: GrowthGrid | None = None,
     tongues: Sequence[tuple[float, str]] = (),
 ) -> Chart:
@@ -39,33 +39,32 @@ def instability_chart(
         What β_d = 1 stands for [EI/L²].
     frequency_range : (float, float)
         Of θ/ω_n.
-    largest_factor : float
-        Top of the β_d axis.
+    factor_range : float or (float, float)
+        Of β_d; a single number is the upper end of a range from 0.
     grid : GrowthGrid, optional
         Floquet's answer; without it the chart is the paper's.
     tongues : sequence of (float, str)
         Centres θ/ω_n and names of the true tongues.
     """
     scales = fundamental_frequency, reference_load
+    low, high = factor_range if isinstance(factor_range, tuple) else (0.0, factor_range)
     below: list[Layer] = []
     above: list[Layer] = []
     if grid is not None:
-        below = growth_layers(grid, fundamental_frequency, frequency_range, largest_factor)
-        above = [
-            edge_layer(grid.outlines, scales),
-            tongue_labels(tongues, frequency_range, largest_factor),
-        ]
+        below = growth_layers(grid, scales)
+        above = [] if grid.edges is None else outline_layers(grid.edges, scales)
+        above.append(tongue_labels(tongues, frequency_range, (low, high)))
     return Chart(
         key="instability",
         title="Instability chart",
         x=EXCITATION_RATIO,
         y=LOAD_FACTOR,
         x_range=frequency_range,
-        y_range=(0.0, largest_factor),
+        y_range=(low, high),
         layers=(
             *below,
             _region_layer(bolotin, scales),
-            *_boundary_layers(bolotin, scales, frequency_range, largest_factor),
+            *_boundary_layers(bolotin, scales, frequency_range, (low, high)),
             *above,
         ),
     )
@@ -83,22 +82,26 @@ def _boundary_layers(
     bolotin: BolotinChart,
     scales: tuple[float, float],
     frequency_range: tuple[float, float],
-    largest_factor: float,
+    factor_range: tuple[float, float],
 ) -> list[Layer]:
     """Return Bolotin's boundaries, and their names near the top of the chart."""
     ratio, factor = bolotin.frequency / scales[0], bolotin.pulsating_load / scales[1]
     left, right = frequency_range
+    low, high = factor_range
     lines = Lines()
     rows = []
     for mode, column in zip(modes(bolotin.names), ratio.T, strict=True):
         role = "forward" if mode.forward else "backward"
         lines.add(column, factor, f"{mode.name} boundary", role, mode=mode)
         inside = np.flatnonzero(
-            (column >= left) & (column <= right) & (factor <= 0.97 * largest_factor)
+            (column >= left)
+            & (column <= right)
+            & (factor >= low)
+            & (factor <= low + 0.97 * (high - low))
         )
         if inside.size:
             # modes 2, 3 … sit a step lower, so that 1F and 2B never collide
-            top = largest_factor * (0.97 - 0.08 * (mode.number - 1))
+            top = low + (high - low) * (0.97 - 0.08 * (mode.number - 1))
             place = inside[np.abs(factor[inside] - top).argmin()]
             # away from the line's own region, unless the chart's edge is near
             share = (column[place] - left) / (right - left)

@@ -163,8 +163,12 @@ class _Converter:
         columns: dict[str, Any] = dict(layer.columns)
         if layer.kind == "map":
             return self._map(layer)
+        if layer.kind == "bands":
+            return self._bands(layer)
         for axis, factor in (("x", self.x), ("y", self.y)):
-            if axis in columns:
+            if layer.kind == "edges":
+                columns[axis] = [columns[axis][0] * factor]
+            elif axis in columns:
                 columns[axis] = np.asarray(columns[axis]) * factor
             else:
                 columns[f"{axis}s"] = [line * factor for line in columns[f"{axis}s"]]
@@ -182,6 +186,16 @@ class _Converter:
         scaled = self.known[amount.quantity]
         text = f"{written(amount.value * scaled.factor, 5)} {scaled.quantity.unit}"
         return text if amount.bare else f"{scaled.quantity.symbol}{amount.index} = {text}"
+
+    def _bands(self, layer: Layer) -> Layer:
+        assert layer.quantity is not None
+        shown = self.known[layer.quantity]
+        factors = {"x": self.x, "y": self.y, "growth": shown.factor, "top": shown.factor}
+        columns: dict[str, Any] = {
+            name: [column[0] * factors[name]] if name in factors else column
+            for name, column in layer.columns.items()
+        }
+        return replace(layer, columns=columns, quantity=shown.quantity)
 
     def _map(self, layer: Layer) -> Layer:
         factors = {"x": self.x, "dw": self.x, "y": self.y, "dh": self.y}

@@ -84,13 +84,19 @@ class Layer:
 
     Parameters
     ----------
-    kind : {"map", "regions", "outlines", "lines", "points", "labels"}
+    kind : {"map", "bands", "edges", "regions", "outlines", "lines", "points", "labels"}
         A map has one row: a 2-d `image` (rows upwards, NaN is clear) and further 2-d columns
         for hovering, over the rectangle `x`, `y`, `dw`, `dh`. Regions, outlines and lines hold
         a list of arrays in `xs`, `ys`; the others have one value a row in `x`, `y`. All but maps
-        have a `name`. Labels have a `side` of their point, where the text stands. The others have
-        the columns `role` and `group`, and may have `mode`, `pair` and `order`: see `Curve`. A
-        column `wording` holds a `Wording` where a name gives a value, and None elsewhere.
+        and bands have a `name`. Labels have a `side` of their point, where the text stands. The
+        others have the columns `role` and `group`, and may have `mode`, `pair` and `order`: see
+        `Curve`. A column `wording` holds a `Wording` where a name gives a value, else None.
+
+        Bands and edges have one row: the grid on which Floquet's verdict is known, from which
+        they are drawn as contours. `x` (C,) and `y` (R,) are its coordinates, `edge` (R, C) is
+        above 0 where the rotor is unstable, and `across` and `along` say where the edge crosses
+        the lines of the grid: see `GridEdges`. Bands also have `growth` (R, C) and `top`, the
+        growth at the upper end of the colours; edges have `name`, `role` and `group`.
 
         A region is Bolotin's. An outline bounds what Floquet finds unstable: its left edge
         upwards, a gap, its right edge downwards, with further gaps where it runs along the
@@ -100,7 +106,7 @@ class Layer:
     columns : mapping of str to sequence
         Equal lengths; arrays become read-only, because charts are shared.
     quantity : Quantity, optional
-        What the image of a map shows.
+        What the image of a map or the colours of bands show.
     """
 
     kind: str
@@ -196,6 +202,11 @@ class Chart:
     def curves(self, *kinds: str) -> tuple[Curve, ...]:
         """Return the rows of all layers of some kinds."""
         return tuple(curve for layer in self.of_kind(*kinds) for curve in layer.curves())
+
+    @property
+    def shows_floquet(self) -> bool:
+        """Whether it shows what Floquet finds unstable."""
+        return bool(self.of_kind("bands", "outlines"))
 
     @property
     def series(self) -> tuple[Curve, ...]:

@@ -1,29 +1,41 @@
-"""What Floquet says of the instability chart: map of growth, outlines and names of tongues."""
+"""What Floquet says of the instability chart: growth, edges and names of tongues."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from .._types import Array, Mask
 from ..floquet.tongues.outlines import Outline
+from ..maps.grid_edges import GridEdges
 from .columns import Lines, label_columns
 from .quantities import GROWTH, GROWTH_PER_PERIOD
-from .structure import Layer
+from .structure import Chart, Layer
 
-__all__ = ["FLOQUET", "GrowthGrid", "add_outline", "edge_layer", "growth_layers", "tongue_labels"]
+__all__ = [
+    "FLOQUET",
+    "GrowthGrid",
+    "add_outline",
+    "fitted_top",
+    "growth_layers",
+    "outline_layers",
+    "tongue_labels",
+    "with_top",
+]
 
 
 _LABEL = 0.2  # of the chart's width for a label: a phone is narrow
+THIN = "thin tongue (Floquet)"
 FLOQUET = "unstable (Floquet)"
 """The group of what Floquet finds unstable, where a chart shows one rotor."""
 
 
 @dataclass(frozen=True, eq=False)
 class GrowthGrid:
-    """Floquet's answer on the pixels of the instability chart.
+    """Floquet's answer on the pixels of the instability chart, and on a finer grid its edges.
 
     Parameters
     ----------
@@ -33,21 +45,33 @@ class GrowthGrid:
         Floquet's verdict.
     bolotin : (R, C) bool or None
         Whether the pixel lies in a Bolotin region; None where there is none to compare with.
+    window : (float, float, float, float)
+        Lowest and highest θ/ω_n, lowest and highest β_d of the pixels.
     per_period : bool
         Whether to colour by σ̄T instead of σ̄.
-    outlines : tuple of Outline
-        Exact edges of the tongues, where they were computed.
+    edges : GridEdges, optional
+        Where the unstable set ends, from `stability_chart`; without it there is no colour.
+    rates : (R', C') float, optional
+        σ̄ on the grid of `edges`.
+    top : float, optional
+        Growth at the upper end of the colours, in the unit that is shown; by default it fits the
+        chart.
     """
 
     growth: Array
     unstable: Mask
     bolotin: Mask | None
+    window: tuple[float, float, float, float]
     per_period: bool = False
-    outlines: tuple[Outline, ...] = ()
+    edges: GridEdges | None = None
+    rates: Array | None = None
+    top: float | None = None
 
 
 def tongue_labels(
-    tongues: Sequence[tuple[float, str]], frequency_range: tuple[float, float], top: float
+    tongues: Sequence[tuple[float, str]],
+    frequency_range: tuple[float, float],
+    factor_range: tuple[float, float],
 ) -> Layer:
     """Return a label at the foot of each tongue, raised where the next one would touch it.
 
@@ -57,9 +81,10 @@ def tongue_labels(
         Abscissas and names; those outside the range are left out.
     frequency_range : (float, float)
         Of the abscissa.
-    top : float
-        Upper end of the ordinate, which begins at 0.
+    factor_range : (float, float)
+        Of the ordinate.
     """
+    low, high = factor_range
     left, right = frequency_range
     rows: list[tuple[float, float, str, str]] = []
     taken: list[tuple[float, int]] = []  # where each label starts, and its level
@@ -73,24 +98,25 @@ def tongue_labels(
         while any(abs(start - other) < _LABEL and level == at for other, at in taken):
             level += 1
         taken.append((start, level))
-        rows.append((x, top * (0.045 + 0.075 * level), name, side))
+        rows.append((x, low + (high - low) * (0.045 + 0.075 * level), name, side))
     return Layer("labels", "tongue", label_columns(rows))
 
 
-def growth_layers(
-    grid: GrowthGrid,
-    fundamental_frequency: float,
-    frequency_range: tuple[float, float],
-    top: float,
-) -> list[Layer]:
-    """Return the map of disagreement, if any is known, and over it the map of growth."""
-    left, right = frequency_range
+def growth_layers(grid: GrowthGrid, scales: tuple[float, float]) -> list[Layer]:
+    """Return what is unstable as bands of growth, and below it the maps of growth and disagreement.
+
+    Parameters
+    ----------
+    grid : GrowthGrid
+    scales : (float, float)
+        ω_n, and what β_d = 1 stands for.
+    """
+    left, right, low, high = grid.window
     columns = grid.growth.shape[1]
-    theta = (left + (np.arange(columns) + 0.5) / columns * (right - left)) * fundamental_frequency
-    periods = 2 * np.pi / theta
-    shown = grid.growth * periods if grid.per_period else grid.growth
+    ratio = left + (np.arange(columns) + 0.5) / columns * (right - left)
+    shown = _shown(grid, grid.growth, ratio * scales[0])
     bolotin = np.zeros_like(grid.unstable) if grid.bolotin is None else grid.bolotin
-    place = {"x": [left], "y": [0.0], "dw": [right - left], "dh": [top]}
+    place = {"x": [left], "y": [low], "dw": [right - left], "dh": [high - low]}
     verdict = grid.unstable.astype(np.uint8) + 2 * bolotin.astype(np.uint8)
     verdict[~np.isfinite(grid.growth)] = 4  # not computed: it disagrees with nothing
     clear = np.float32(np.nan)
@@ -101,8 +127,8 @@ def growth_layers(
         disagree[verdict == 1] = 1.0
         # below: a colour of growth is that of the colour bar wherever it stands
         layers.append(Layer("map", "disagreement", {"image": [disagree], **place}))
-    return [
-        *layers,
+    quantity = GROWTH_PER_PERIOD if grid.per_period else GROWTH
+    layers.append(
         Layer(
             "map",
             "growth",
@@ -110,11 +136,68 @@ def growth_layers(
                 "image": [np.where(grid.unstable, shown, clear).astype(np.float32)],
                 "rate": [np.where(grid.unstable, grid.growth, 0.0).astype(np.float32)],
                 "verdict": [verdict],
-                "frequency": [fundamental_frequency],
+                "frequency": [scales[0]],
                 **place,
             },
-            quantity=GROWTH_PER_PERIOD if grid.per_period else GROWTH,
-        ),
+            quantity=quantity,
+        )
+    )
+    if grid.edges is not None and grid.rates is not None:
+        rates = _shown(grid, grid.rates, grid.edges.excitation_frequencies)
+        top = fitted_top(rates) if grid.top is None else grid.top
+        growing = np.maximum(np.nan_to_num(rates), 0.0)
+        bands = {**_edge_columns(grid.edges, scales), "growth": [growing], "top": [top]}
+        layers.append(Layer("bands", "unstable", bands, quantity=quantity))
+    return layers
+
+
+def _shown(grid: GrowthGrid, growth: Array, frequencies: Array) -> Array:
+    return growth * (2 * np.pi / frequencies) if grid.per_period else growth
+
+
+def fitted_top(growth: Array) -> float:
+    """Return the upper end of a scale of growth: rounded up, so that it rarely changes."""
+    grows = growth[growth > 0]
+    # not the maximum: a few points of very slow loads would take all colours
+    largest = float(np.percentile(grows, 98)) if grows.size else 0.0
+    if largest <= 0:
+        return 1.0
+    step = 10.0 ** np.floor(np.log10(largest))
+    return float(np.ceil(largest / step) * step)
+
+
+def with_top(chart: Chart, top: float) -> Chart:
+    """Return a chart whose colours of growth end at another growth, in the unit that is shown."""
+    layers = tuple(
+        replace(layer, columns={**layer.columns, "top": [top]}) if layer.kind == "bands" else layer
+        for layer in chart.layers
+    )
+    return replace(chart, layers=layers)
+
+
+def _edge_columns(edges: GridEdges, scales: tuple[float, float]) -> dict[str, Sequence[Any]]:
+    """Return the grid of edges as columns of a layer."""
+    return {
+        "x": [edges.excitation_frequencies / scales[0]],
+        "y": [edges.pulsating_loads / scales[1]],
+        "edge": [edges.function],
+        "across": [edges.across],
+        "along": [edges.along],
+    }
+
+
+def outline_layers(edges: GridEdges, scales: tuple[float, float]) -> list[Layer]:
+    """Return the edge of the unstable set, and lines along tongues that the grid does not see."""
+    look = {"name": ["edge of what is unstable"], "role": ["edge"], "group": [FLOQUET]}
+    lines = Lines()
+    for tongue in edges.thin:
+        order = f", order {tongue.order}" if tongue.order > 1 else ""
+        x, y = tongue.excitation_frequencies / scales[0], tongue.pulsating_loads / scales[1]
+        name = f"thin tongue {tongue.name}{order}".strip()
+        lines.add(x, y, name, "edge", THIN, pair=tongue.name, order=tongue.order)
+    return [
+        Layer("edges", "tongue edge", {**_edge_columns(edges, scales), **look}),
+        Layer("lines", "thin tongue", lines.columns),
     ]
 
 
@@ -152,13 +235,3 @@ def add_outline(
     x = np.concatenate([left, gap, right]) / scales[0]
     y = np.concatenate([up, gap, down]) / scales[1]
     lines.add(x, y, name, role, group, pair=outline.name, order=outline.order)
-
-
-def edge_layer(outlines: Sequence[Outline], scales: tuple[float, float]) -> Layer:
-    """Return the outlines of every piece of the unstable set of one rotor."""
-    lines = Lines()
-    for outline in outlines:
-        order = f", order {outline.order}" if outline.order > 1 else ""
-        name = f"tongue {outline.name}{order}" if outline.order else "unstable"
-        add_outline(lines, outline, scales, name, "edge", FLOQUET)
-    return Layer("outlines", "tongue edge", lines.columns)

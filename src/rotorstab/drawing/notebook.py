@@ -14,7 +14,9 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import Chart, Figure
+from ..charts import ROLES, Chart, Figure
+from ..charts.figure import growth_bands
+from ..charts.tongues import FLOQUET
 from .screen import columns, element
 
 __all__ = ["notebook_element", "notebook_layout"]
@@ -66,6 +68,8 @@ def _legend(chart: Chart) -> Callable[[Any, Any], None]:
 
     def draw(plot: Any, _: Any) -> None:
         looks = {line.group: line.look for line in chart.curves("lines", "outlines")}
+        if growth_bands(chart) is not None:
+            looks[FLOQUET] = ROLES["edge"]
         items = []
         for group, look in looks.items():
             sample = plot.state.line(

@@ -17,8 +17,9 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Chart, Layer
-from ..charts.figure import growth_layer
+from ..charts.figure import growth_bands, growth_layer
 from ..charts.structure import pixel_centres
+from . import contours
 from .typesetting import mathtext
 
 __all__ = ["add_colour_bar", "growth_colours", "growth_images"]
@@ -50,11 +51,13 @@ def growth_images(panel: Chart) -> list[hv.Image]:
         return []
     xs, ys = pixel_centres(layer)
     options = {"cmap": growth_colours(), "clim": (0.0, _top(growth)), "backend": "matplotlib"}
-    pixels = np.where(_near_outlines(panel, layer), np.nan, growth) if panel.unstable else growth
+    pixels = (
+        np.where(_near_outlines(panel, layer), np.nan, growth) if panel.shows_floquet else growth
+    )
     images = []
     if np.isfinite(pixels).any():
         images.append(hv.Image((xs, ys, pixels), ["x", "y"], "growth").opts(**options))
-    if panel.unstable:
+    if panel.shows_floquet:
         smooth = hv.Image((xs, ys, _extended(growth)), ["x", "y"], "growth inside")
         images.append(
             smooth.opts(interpolation="bilinear", hooks=[_clip_to_outlines(panel)], **options)
@@ -78,6 +81,11 @@ def _extended(growth: Array) -> Array:
 def _polygons(panel: Chart) -> list[Array]:
     """Return the outlines as closed polygons (m, 2)."""
     shapes = [np.column_stack(curve.polygon) for curve in panel.unstable]
+    bands = growth_bands(panel)
+    for _, x, y in contours.areas(bands)[:1] if bands is not None else ():
+        points = np.column_stack([x, y])
+        rings = np.split(points, np.flatnonzero(np.isnan(x)))
+        shapes += [ring[np.isfinite(ring[:, 0])] for ring in rings]
     return [np.concatenate([shape, shape[:1]]) for shape in shapes]
 
 

@@ -14,7 +14,9 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import ROLES, Chart, Curve
+from ..charts import ROLES, Chart, Curve, Layer
+from ..charts.figure import growth_bands
+from . import contours
 from .printed_growth import growth_images
 from .typesetting import mathtext
 
@@ -99,9 +101,26 @@ def _regions(panel: Chart, opacity: float) -> list[hv.Element]:
     ]
 
 
+def _edge_hook(bands: Layer) -> Callable[[Any, Any], None]:
+    """Return a HoloViews hook that draws the edge of what is unstable."""
+
+    def draw(plot: Any, _: Any) -> None:
+        from matplotlib.collections import LineCollection
+
+        points = np.column_stack(contours.outline(bands))
+        parts = np.split(points, np.flatnonzero(np.isnan(points[:, 0])))
+        lines = [part[np.isfinite(part[:, 0])] for part in parts]
+        color = ROLES["edge"].print_color
+        plot.handles["axis"].add_collection(
+            LineCollection(lines, colors=color, linewidths=0.8, zorder=1.5), autolim=False
+        )
+
+    return draw
+
+
 def panel_overlay(panel: Chart) -> hv.Overlay:
     """Return one panel: growth and regions below, lines above, points on top."""
-    thin = bool(panel.unstable and panel.regions)  # Bolotin's part steps back
+    thin = bool(panel.shows_floquet and panel.regions)  # Bolotin's part steps back
     lines = [
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
             linestyle=DASHES[line.style],
@@ -120,6 +139,10 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
         for sign, color in [point_look(point)]
     ]
     growth = growth_images(panel)
+    bands = growth_bands(panel)
+    hooks = [_fill_hook(panel.unstable, not growth)] if panel.unstable else []
+    if bands is not None:
+        hooks.append(_edge_hook(bands))
     regions = _regions(panel, PALE if thin else SHADE)
     return hv.Overlay([*growth, *regions, *lines, *points]).opts(
         hv.opts.Overlay(
@@ -128,7 +151,7 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
             ylabel=mathtext(panel.y.name(with_unit=True)),
             xlim=panel.x_range,
             ylim=panel.y_range,
-            hooks=[_fill_hook(panel.unstable, not growth)] if panel.unstable else [],
+            hooks=hooks,
             show_legend=False,
             aspect=PANEL_INCHES[0] / PANEL_INCHES[1],
             backend="matplotlib",

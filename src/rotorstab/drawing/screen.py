@@ -20,10 +20,12 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import ROLES, Chart, Layer
+from . import contours
 from .hooks import (
     apply_hatch,
     apply_label_places,
     apply_line_styles,
+    as_patches,
     bare_colours,
     finish,
     hover,
@@ -77,7 +79,8 @@ POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
         "line_width": 3,
     },
 }
-GROWTH_COLOURS = list(Plasma256[30:236])
+# without Plasma's darkest part, which is dark on a dark ground
+GROWTH_COLOURS = [Plasma256[round(place)] for place in np.linspace(112, 240, contours.BANDS)]
 DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
@@ -87,6 +90,17 @@ def columns(layer: Layer) -> dict[str, Any]:
     data = layer.columns
     if layer.kind == "map":
         return {key: list(value) for key, value in data.items()}
+    if layer.kind == "bands":
+        found = contours.areas(layer)
+        return {
+            "xs": [x for _, x, _ in found],
+            "ys": [y for _, _, y in found],
+            "growth": [growth for growth, _, _ in found],
+        }
+    if layer.kind == "edges":
+        x, y = contours.outline(layer)
+        rows = {key: data[key] for key in ("name", "role", "group")}
+        return columns(Layer("lines", layer.label, {"xs": [x], "ys": [y], **rows}))
     if layer.kind == "regions":
         # MultiPolygons nest: polygon, then its outer ring
         return {
@@ -112,7 +126,7 @@ def columns(layer: Layer) -> dict[str, Any]:
 
 
 def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
-    """Return a map as an image; growth carries the colour bar and the hover."""
+    """Return a map as an image; growth is not seen, and carries the hover."""
     (left, right), (low, high) = chart.x_range, chart.y_range
     values = np.asarray(layer.columns["image"][0])
     # HoloViews wants the first row on top
@@ -124,13 +138,32 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
         hv.opts.Image(
             cmap=GROWTH_COLOURS if growth else DISAGREEMENT_COLOURS,
             clim=(0.0, 1.0),
-            colorbar=growth,
-            colorbar_position="right",
-            clabel="",
-            colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
-            alpha=1.0 if growth else 0.4,
+            alpha=0.0 if growth else 0.4,
             tools=[map_hover(chart)] if growth else [],
             hooks=[bare_colours, per_period] if growth else [bare_colours],
+            backend="bokeh",
+        )
+    )
+
+
+def _draw_bands(chart: Chart, layer: Layer) -> hv.Polygons:
+    """Return bands of growth as polygons; they carry the colour bar."""
+    assert layer.quantity is not None
+    (left, right), (low, high) = chart.x_range, chart.y_range
+    # a drawing of no polygons has no colours: this one lies beyond the window
+    beyond = {"x": [right, 2 * right - left, right], "y": [high, 2 * high - low, high]}
+    bands = hv.Polygons([beyond | {"growth": 0.0}], vdims=["growth"], label=layer.label)
+    return bands.opts(
+        hv.opts.Polygons(
+            color="growth",
+            cmap=GROWTH_COLOURS,
+            clim=(0.0, layer.columns["top"][0]),
+            line_alpha=0.0,
+            colorbar=True,
+            colorbar_position="right",
+            clabel=layer.quantity.label(chart.in_si),
+            colorbar_opts={"width": 10, "background_fill_alpha": 0.0},
+            hooks=[as_patches],
             backend="bokeh",
         )
     )
@@ -142,6 +175,8 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
     label = layer.label
     if layer.kind == "map":
         return _draw_map(chart, layer)
+    if layer.kind == "bands":
+        return _draw_bands(chart, layer)
     if layer.kind == "regions":
         paths = [
             {"x": xs[0][0], "y": ys[0][0], "name": name}
@@ -157,7 +192,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
                 backend="bokeh",
             )
         )
-    if layer.kind in ("lines", "outlines"):
+    if layer.kind in ("lines", "outlines", "edges"):
         extra = ["name", "color", "dash", "width"]
         rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
         paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]

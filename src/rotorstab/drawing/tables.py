@@ -14,8 +14,9 @@ import numpy as np
 
 from .._types import Array
 from ..charts import Chart, Curve, Figure, Layer
-from ..charts.figure import growth_layer, growth_of
+from ..charts.figure import growth_bands, growth_layer, growth_of
 from ..charts.structure import pixel_centres
+from ..charts.tongues import FLOQUET
 from ..paper import Table
 from .plain_text import comment_lines, csv_rows, json_text, plain_numbers
 
@@ -73,12 +74,26 @@ def figure_csv(figure: Figure) -> str:
 
 def _curves(panel: Chart) -> tuple[tuple[str, tuple[Curve, ...]], ...]:
     """Return the kinds of curves of a panel, as tables name them."""
-    return ("line", panel.series), ("region", panel.regions), ("unstable", panel.unstable)
+    return (
+        ("line", panel.series),
+        ("region", panel.regions),
+        ("unstable", (*panel.unstable, *_edges(panel))),
+    )
+
+
+def _edges(panel: Chart) -> tuple[Curve, ...]:
+    """Return the edge of the unstable set, where it is known on a grid."""
+    bands = growth_bands(panel)
+    if bands is None:
+        return ()
+    from .contours import outline
+
+    return (Curve("edge of what is unstable", *outline(bands), "edge", FLOQUET),)
 
 
 def _points(curve: Curve, kind: str) -> tuple[Array, Array]:
-    """Return a curve's points; an outline is written as a polygon without gaps."""
-    return curve.polygon if kind == "unstable" else (curve.x, curve.y)
+    """Return a curve's points; an outline of a tongue is written as a polygon without gaps."""
+    return curve.polygon if kind == "unstable" and curve.pair else (curve.x, curve.y)
 
 
 def _growth_name(panel: Chart) -> str:

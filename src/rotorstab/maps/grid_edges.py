@@ -73,12 +73,14 @@ def grid_edges(
         first, second = frequencies[column], frequencies[column + 1]
         return interpolant.edge(loads[row], 2 * np.pi / (first + part * (second - first)))
 
+    known = interpolant.knows(2 * np.pi / frequencies)
+    within = np.where(known, function, np.nan)
     found = GridEdges(
         loads,
         frequencies,
         function,
-        _crossings(across, function[:, :-1], function[:, 1:]),
-        _crossings(along, function[:-1], function[1:]),
+        _crossings(across, within[:, :-1], within[:, 1:]),
+        _crossings(along, within[:-1], within[1:]),
         thin_tongues(interpolant, function, loads, frequencies, follow),
     )
     for array in found[:5]:

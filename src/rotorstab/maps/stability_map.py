@@ -166,13 +166,7 @@ def stability_chart(
         loads, periods = magnitude[rows], 2 * np.pi / frequencies
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             interpolant = ChartInterpolant(
-                system,
-                static,
-                float(loads[-1]),
-                periods,
-                density,
-                between=seed,
-                resolve=np.inf if edges and system.size == 2 else 0.0,
+                system, static, float(loads[-1]), periods, density, between=seed
             )
             solve = interpolant.growth_and_edge if edges else interpolant.growth
             part, slack, smooth = solve(*interpolant.on_grid(loads, periods), periods)

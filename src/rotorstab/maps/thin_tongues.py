@@ -21,6 +21,7 @@ __all__ = ["ThinTongue", "thin_tongues"]
 
 _HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which lines are named
 _LEAST_ROWS = 12  # loads at which tongues are sought
+_NARROW = 1.5  # columns: the columns see a narrower tongue in some rows only
 _ROOT_MOVE = 0.02  # of the root: farthest foot of a line that is drawn on to it
 _ROOT_ROWS = 3  # highest row from which it is
 
@@ -81,6 +82,7 @@ def thin_tongues(
     rows = tuple(row for row in table.tongues if frequencies[0] < row.centre < frequencies[-1])
     if not interpolant.closed_form:
         return _of_table(interpolant, rows, loads, frequencies, follow)
+    narrow = _NARROW * float(np.diff(frequencies).max())
     stride = max(1, len(loads) // _LEAST_ROWS)
     some = np.flatnonzero(loads > 0)[::stride]
     pieces = linked_pieces(loads[some], _meetings(interpolant, loads[some]), float(loads[some[0]]))
@@ -88,7 +90,10 @@ def thin_tongues(
     for piece in pieces:
         level = np.array(piece.loads)
         centre = np.array([interval.centre for interval in piece.intervals])
-        hidden = ~_seen(level, centre, function, loads, frequencies)
+        width = np.array([interval.right - interval.left for interval in piece.intervals])
+        beside = _unstable_columns(level, centre, function, loads, frequencies)
+        # not in the midst of a wide tongue, where other multipliers may meet
+        hidden = ~beside[1:3].any(axis=0) | ((width < narrow) & ~beside[[0, 3]].all(axis=0))
         hidden = _of_rows(hidden, np.isin(level, loads))
         level, centre, hidden = _rooted(level, centre, hidden, rows, loads[some])
         if not hidden.any():
@@ -106,7 +111,9 @@ def thin_tongues(
 def _meetings(interpolant: ChartInterpolant, loads: Array) -> list[list[Interval]]:
     """Return the narrow unstable intervals of θ̄ of each row, from left to right."""
     rows: list[list[Interval]] = [[] for _ in loads]
-    for index in range(len(interpolant.panels)):
+    for index, panel in enumerate(interpolant.panels):
+        if not (panel.period_nodes and panel.high > panel.low):
+            continue  # there are more tongues than columns
         row, period, half = multiplier_collisions(interpolant, index, loads)
         growth, error, _ = interpolant.at_points(index, loads[row], period, with_approach=True)
         sure = is_unstable(growth, error / 2)
@@ -145,11 +152,17 @@ def _rooted(
     return level, centre, hidden
 
 
-def _seen(level: Array, centre: Array, function: Array, loads: Array, frequencies: Array) -> Mask:
-    """Tell at which points of a line a column beside it is unstable."""
+def _unstable_columns(
+    level: Array, centre: Array, function: Array, loads: Array, frequencies: Array
+) -> Mask:
+    """Return whether four columns about each point of a line are unstable, (4, m).
+
+    The second and the third are those beside it, the others two columns farther off.
+    """
     row = np.abs(loads - level[:, None]).argmin(axis=1)
-    after = np.searchsorted(frequencies, centre).clip(1, len(frequencies) - 1)
-    return np.asarray((function[row, after - 1] > 0) | (function[row, after] > 0))
+    after = np.searchsorted(frequencies, centre)
+    column = (after + np.array([-3, -1, 0, 2])[:, None]).clip(0, len(frequencies) - 1)
+    return np.asarray(function[row, column] > 0)
 
 
 def _of_table(
@@ -160,7 +173,7 @@ def _of_table(
     follow: bool,
 ) -> tuple[ThinTongue, ...]:
     """Return lines along the tongues of the resonance table, up to where they are a column wide."""
-    step = float(frequencies[1] - frequencies[0])
+    step = float(np.diff(frequencies).max())
     found = []
     for row in rows:
         wide = step / (4 * row.growth_per_load)

@@ -17,12 +17,12 @@ from rotorstab.model import stiffness, stiffness_law
 # took 20 s and 4.7 GB: the harmonics of 1,300 loads at 4,096 points each
 HARMONICS = (
     "load=follower&as=0.000851999283879&spin=4&phi=0&md=20&id=0.0108993046789&ip=2.91807107612"
-    "&ref=flutter&bmax=1.46201918664&law=exact"
+    "&ref=flutter&bmax=1.46201918664&law=exact&fmax=16"
 )
 # maps whose highest row comes near the pole: the steps are those of its stiffness there
 STEPS = (
-    "load=follower&as=0.5&spin=1&phi=0&md=20&id=0.03&ip=0&ref=flutter&bmax=1.5&law=exact",
-    "as=0.9&spin=0&phi=0.1&md=0.5&id=0.03&ip=0&ref=flutter&bmax=0.118&law=exact",
+    "load=follower&as=0.5&spin=1&phi=0&md=20&id=0.03&ip=0&ref=flutter&bmax=1.5&law=exact&fmax=16",
+    "as=0.9&spin=0&phi=0.1&md=0.5&id=0.03&ip=0&ref=flutter&bmax=0.118&law=exact&fmax=16",
 )
 MOST_EVALUATIONS, MOST_TOGETHER = 400_000, 1 << 16
 

@@ -19,12 +19,22 @@ SHARES = [
             "polar_inertia": 0.1,
             "internal_damping": 0.02,
             "spin_speed": 0.5,
+            "highest_frequency": 16.0,
         },
         0.099,
         0.006,
     ),
-    ({"spin_speed": 0.0, "load_type": "follower", "static_load_factor": 0.0}, 0.054, 0.002),
-    ({"spin_speed": 1.0, "model": "finite elements"}, 0.086, 0.004),
+    (
+        {
+            "spin_speed": 0.0,
+            "load_type": "follower",
+            "static_load_factor": 0.0,
+            "highest_frequency": 16.0,
+        },
+        0.054,
+        0.002,
+    ),
+    ({"spin_speed": 1.0, "model": "finite elements", "highest_frequency": 16.0}, 0.086, 0.004),
 ]
 
 

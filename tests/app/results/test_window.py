@@ -5,24 +5,43 @@ import pytest
 
 from app.results.limits import Detail
 from app.results.model import Model
-from app.results.window import Window, floquet_map, window_outlines
+from app.results.window import Window, floquet_map
 from rotorstab import BASE_CASE
 from tests.testing.example_rotors import P, W
 
 
 @pytest.mark.parametrize("options", [{}, {"external_damping": 0.01}, {"law": "exact"}])
-def test_every_model_has_edges_but_for_slow_loads(options):
-    model = Model(BASE_CASE, **options)
-    assert window_outlines(Window(model, 2.0, 0.0, 0.5 * P, W, 3 * W, 0.5 * P))
-    assert window_outlines(Window(model, 2.0, 0.0, 0.5 * P, 0.1 * W, 0.3 * W, 0.5 * P)) == ()
+@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
+def test_every_model_has_edges_while_it_moves_and_at_rest(options, detail):
+    made = floquet_map(Window(Model(BASE_CASE, **options), 2.0, 0.0, 0.5 * P, W, 3 * W, P), detail)
+    edges = made.edges
+    assert (edges.function > 0).any()
+    assert np.isfinite(edges.across).sum() > 20
+    assert edges.function.shape == made.rates.shape
+    # the grid reaches the border of the window, and the map has the same growth at its pixels
+    ends = edges.excitation_frequencies[[0, -1]], edges.pulsating_loads[[0, -1]]
+    np.testing.assert_allclose(ends, [[W, 3 * W], [0.0, P]])
+    row, column = (
+        np.searchsorted(grid, pixels - 1e-9)
+        for grid, pixels in (
+            (edges.pulsating_loads, made.growth.pulsating_loads),
+            (edges.excitation_frequencies, made.growth.excitation_frequencies),
+        )
+    )
+    np.testing.assert_array_equal(made.rates[np.ix_(row, column)], made.growth.growth)
+
+
+def test_a_window_of_larger_loads_has_edges_of_its_own():
+    window = Window(Model(BASE_CASE), 2.0, 0.0, 0.5 * P, W, 3 * W, 0.8 * P, bottom=0.6 * P)
+    edges = floquet_map(window, Detail.COARSE).edges
+    np.testing.assert_allclose(edges.pulsating_loads[[0, -1]], [0.6 * P, 0.8 * P])
+    assert np.isfinite(edges.across).sum() > 20
 
 
 def test_a_finer_map_holds_all_that_a_coarser_one_does():
     window = Window(Model(BASE_CASE), 2.0, 0.0, 0.5 * P, 0.0, 6 * W, P)
     coarse, full, refined = (floquet_map(window, detail) for detail in Detail)
     assert coarse.growth.growth.size < full.growth.growth.size
-    assert (coarse.outlines, full.outlines) == ((), ())
-    assert len(refined.outlines) > 3
     assert full.growth.refined == 0 < refined.growth.refined
     assert (full.growth.error >= refined.growth.error).all()
     np.testing.assert_array_equal(full.mask, refined.mask)

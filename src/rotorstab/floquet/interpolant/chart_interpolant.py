@@ -8,7 +8,7 @@ import numpy as np
 
 from ..._numerics.chebyshev import chebyshev_values
 from ..._tolerances import NEGLIGIBLE
-from ..._types import AnyArray, Array
+from ..._types import AnyArray, Array, Mask
 from ...model.system import System
 from .edge_measure import edge_of_approach, edge_of_multipliers, with_verdict
 from .growth import Measure, collision_approach, largest_modulus, self_inversive_growth
@@ -25,6 +25,8 @@ _TOLERANCE = 1e-6  # of the interpolation, in a cautious rule: the error is 1e-9
 _BANDWIDTH_MARGIN = 1.03
 _SWING_MARGIN = {True: 1.15, False: 1.3}  # of a linear and of the exact stiffness
 _DRIFT_MARGIN = 0.75  # part of its centre to which a tongue of the table may drift with the load
+
+_MOST_STEPS = 200  # of a panel, up to which single points between its columns are integrated
 
 
 def chart_panels(
@@ -253,8 +255,20 @@ class ChartInterpolant:
         error = self.coefficient_error(panel, loads, periods)
         return self.growth(functions, error, periods, with_approach)
 
+    def knows(self, periods: Array) -> Mask:
+        """Tell at which periods points between columns can be evaluated by `edge`.
+
+        The columns of other panels are sampled one by one: they are too few for what changes
+        between them, and with more than two coordinates other points take too long there.
+        """
+        found = np.zeros(periods.shape, dtype=np.bool_)
+        for panel in self.panels:
+            if panel.period_nodes or (not self.closed_form and panel.steps <= _MOST_STEPS):
+                found |= (periods >= panel.low) & (periods <= panel.high)
+        return found
+
     def edge(self, loads: Array, periods: Array) -> Array:
-        """Return the edge function at single points (P,), NaN outside of the panels."""
+        """Return the edge function at single points (P,), NaN where `knows` says no."""
         found = np.full(periods.shape, np.nan)
         for index, panel in enumerate(self.panels):
             at = np.flatnonzero((periods >= panel.low) & (periods <= panel.high))
@@ -263,8 +277,10 @@ class ChartInterpolant:
             load, period = loads[at], periods[at]
             if panel.period_nodes:
                 functions = self.scattered(index, load, period)
-            else:
+            elif not self.closed_form and panel.steps <= _MOST_STEPS:
                 functions = self.sampler.single_points(panel, period, load)
+            else:
+                continue
             error = self.coefficient_error(index, load, period)
             found[at] = self.growth_and_edge(functions, error, period)[2]
         return found
