@@ -608,7 +608,7 @@ def test_a_rotor_file_is_taken_whole(session):
     assert answer["shaft"]["in_use"]
     assert answer["values"]["units"] == "SI"
     assert answer["values"]["shear"] == pytest.approx(2.92191e-4, rel=1e-5)
-    assert answer["si"]["hints"]["spin_speed"] == "1000 rpm"
+    assert answer["si"]["hints"]["spin_speed"] == "1000\N{NO-BREAK SPACE}rpm"
     assert answer["si"]["numbers"]["whirl"]["1F"][0] == pytest.approx(
         answer["numbers"]["whirl"]["1F"][0] * session.state.scales().frequency / (2 * math.pi)
     )

@@ -95,7 +95,7 @@ def test_nothing_in_si_is_non_dimensional_or_has_an_exponent(shaft):
     words = [text for text in texts if "P_t = " in text or "steady load P [" in text]
     assert len(words) >= 3
     for text in words:
-        assert re.search(rf"[\d.{GAP}]+ {unit}\b|\[{unit}\]", text), text
+        assert re.search(rf"[\d.{GAP}]+\xa0{unit}\b|\[{unit}\]", text), text
 
 
 def test_the_pins_table_is_in_si_with_the_scales_of_each_pins_own_shaft():

@@ -14,6 +14,7 @@ import pytest
 from app.pages.marked_point import inspect
 from app.results import analysis, limits, window
 from app.results.limits import Detail
+from app.results.model import model_of
 from app.session import Session
 from app.state import State
 from app.state.address import from_arguments, pins_from_arguments
@@ -65,7 +66,7 @@ def test_the_spy_sees_every_way_into_the_solver():
         ("app.results.analysis", "bolotin_chart"),
         ("app.results.marked_point", "time_response"),
         ("app.results.marked_point", "floquet_solution"),
-        ("app.lessons.situation", "critical_load"),
+        ("app.lessons.situation", "floquet_solution"),
     } <= points
 
 
@@ -148,7 +149,7 @@ def test_hostile_queries_never_reach_the_solver(session):
             json.dumps(answer, allow_nan=False)
         taken += len(pins)
         refused_pins += len(bad)
-        assert all(len(key) <= 20 for key in doubtful)
+        assert all(len(key) <= 40 for key in doubtful)  # the key, cut, and the reason
         assert all(len(one) < 200 for one in [*refused.values(), *bad])
     assert taken > 10
     assert refused_pins > 10  # the stream holds both sorts
@@ -209,7 +210,10 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     state = State()
     assert state.change(values) == {}
     answer = analysis.solve(state, Detail.FULL).floquet
-    assert all(one <= max(limits.MOST_WORK.values()) for one in spent)
+    size = limits.map_size(model_of(state), Detail.FULL)
+    columns = size.columns * size.finer + 2
+    most = limits.MOST_WORK[model_of(state).kind, model_of(state).is_damped] * columns
+    assert all(one <= most for one in spent)
     assert answer.followed_from > 0
     assert "the map is blank" in verdict(answer)
 
@@ -228,7 +232,7 @@ def test_a_map_that_moves_leaves_at_most_a_tenth_of_the_columns_for_rest(values)
     assert state.change(values) == {}
     growth = window.floquet_map(analysis.window_of(state), detail=Detail.COARSE).growth.growth
     known = np.isfinite(growth).all(axis=0)
-    assert known.mean() >= 0.9
+    assert known.mean() >= 0.9 - 1 / len(known)  # the tenth need not be a whole number of columns
     assert known[known.argmax() :].all()
     moving = analysis.solve(state, detail=Detail.COARSE).floquet
     assert "blank" not in verdict(moving)
