@@ -29,7 +29,7 @@ HIDDEN_LAYERS = """() => Bokeh.documents[0].roots().flatMap((top) => [...top.ref
 def share_away_from_default(name):
     """Return a share of a slider's length at some distance from its default."""
     if name == "lowest_frequency":
-        return 0.2  # below the highest
+        return 0.1  # below the highest
     low, high = State.param[name].bounds
     return 0.35 if (State.param[name].default - low) / (high - low) > 0.5 else 0.65
 

@@ -20,7 +20,7 @@ def place(page, frequency, factor):
 
 
 def test_the_shaft_moves_at_once_and_sends_no_message(open_page):
-    page = open_page(1366, 768)
+    page = open_page(1366, 768, reduced_motion="no-preference")
     page.wait_for_function("rotorstab.motion.state?.frames > 0", timeout=3000)
     first = page.evaluate(PICTURE)
     page.wait_for_function(f"(first) => {PICTURE} !== first", arg=first, timeout=3000)
@@ -40,7 +40,8 @@ def test_the_shaft_moves_at_once_and_sends_no_message(open_page):
     assert sent  # the session does hear what the page sends
 
 
-def test_growth_leaves_the_picture_and_begins_again_and_a_stable_motion_stays_small(page):
+def test_growth_leaves_the_picture_and_begins_again_and_a_stable_motion_stays_small(open_page):
+    page = open_page(reduced_motion="no-preference")
     page.locator(".shaft-side").scroll_into_view_if_needed()
     place(page, 1.68, 0.5)
     page.locator(".shaft-speed").select_option("4")
@@ -130,7 +131,7 @@ def test_the_marker_is_dragged_and_moved_by_keys_and_all_follows(page):
 
 
 def test_who_wants_no_motion_sees_it_paused(open_page):
-    page = open_page(reduced_motion="reduce")
+    page = open_page()
     settle(page)
     assert page.evaluate("rotorstab.motion.state.playing") is False
     assert page.locator(".shaft-play").inner_text() == "Play"
