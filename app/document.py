@@ -28,6 +28,7 @@ SCRIPTS = (
     "messages.js",
     "page.js",
     "layout.js",
+    "history.js",
     "units.js",
     "paper.js",
     "places.js",

@@ -18,7 +18,7 @@ export function render({ model, el }) {
       state.values = data.values;
       for (const [row, name, value] of conditional) row.hidden = data.values[name] !== value;
     }
-    if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) if (row.hint) row.hint(data.si?.hints[name] || "");
+    if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) row.units?.(data.si?.inputs[name]);
   }
   model.on("msg:custom", (answer) => page.messages.take(answer.data ?? answer));
   const { change } = page.messages;
@@ -53,25 +53,38 @@ export function render({ model, el }) {
     return Math.abs(short - value) < 1e-9 ? short : String(Number(value.toPrecision(6)));
   }
 
+  // the nearest of 1, 2, 5, 10, 20 …
+  function round(value) {
+    const power = 10 ** Math.floor(Math.log10(value));
+    return power * [1, 2, 5, 10].reduce((best, one) => (Math.abs(one - value / power) < Math.abs(best - value / power) ? one : best));
+  }
+
   function number(field) {
     const id = `rs-${field.name}`;
     const slider = node("input", { type: "range", id, min: field.low, max: field.high, step: "any", "aria-describedby": `${id}-help` });
     const box = node("input", { type: "text", inputmode: "decimal", class: "box", autocomplete: "off", "aria-label": `${field.label}, number`, "aria-describedby": `${id}-error` });
     const error = node("p", { class: "error", id: `${id}-error`, role: "alert" });
-    const say = (words) => {
-      error.textContent = words ? `${field.label} ${words}` : "";
-      page.flag(box, words);
+    const unit = node("span", { class: "unit" });
+    let si = null; // the factor and the unit while the page shows SI units; the slider itself has none
+    const step = () => (si ? round(field.step * si.factor) / si.factor : field.step);
+    const words = (value) => (si ? String(Number((value * si.factor).toPrecision(4))) : text(value, field.step));
+    const say = (problem) => {
+      error.textContent = problem ? `${field.label} ${problem}` : "";
+      page.flag(box, problem);
     };
-    const fill = (value) => slider.style.setProperty("--fill", `${100 * (value - field.low) / (field.high - field.low)}%`);
+    const fill = (value) => {
+      slider.style.setProperty("--fill", `${100 * (value - field.low) / (field.high - field.low)}%`);
+      slider.setAttribute("aria-valuetext", `${words(value)} ${si?.unit ?? ""}`.trim());
+    };
     const show = (value) => {
       if (document.activeElement !== slider && el.getRootNode().activeElement !== slider) slider.value = value;
-      if (!error.textContent && el.getRootNode().activeElement !== box) box.value = text(value, field.step);
+      if (!error.textContent && el.getRootNode().activeElement !== box) box.value = words(value);
       fill(value);
     };
-    const snap = (value) => Math.min(field.high, Math.max(field.low, Number((Math.round(value / field.step) * field.step).toPrecision(12))));
+    const snap = (value) => Math.min(field.high, Math.max(field.low, Number((Math.round(value / step()) * step()).toPrecision(12))));
     slider.addEventListener("input", () => {
       const value = snap(slider.valueAsNumber);
-      box.value = text(value, field.step);
+      box.value = words(value);
       fill(value);
       say("");
       change(field.name, value);
@@ -88,17 +101,20 @@ export function render({ model, el }) {
       const page = { PageUp: 10, PageDown: -10, ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
       if (!page) return;
       event.preventDefault();
-      slider.value = snap(slider.valueAsNumber + page * field.step);
+      slider.value = snap(slider.valueAsNumber + page * step());
       slider.dispatchEvent(new Event("input"));
     });
     const commit = () => {
-      const { value, doubt } = page.typed(box.value);
+      const typed = page.typed(box.value);
+      let value = typed.value / (si?.factor ?? 1);
+      // a bound or a value that is typed as it is shown, rounded, means itself
+      for (const exact of [field.low, field.high, state.values[field.name]]) if (si && words(value) === words(exact)) value = exact;
       if (!(value >= field.low && value <= field.high)) {
-        say(doubt || `must be a number from ${field.low} to ${field.high}`);
+        say(typed.doubt || `must be a number from ${words(field.low)} to ${words(field.high)} ${si?.unit ?? ""}`.trim());
         return;
       }
       say("");
-      if (value === state.values[field.name]) { box.value = text(value, field.step); return; }
+      if (value === state.values[field.name]) { box.value = words(value); return; }
       slider.value = value;
       fill(value);
       change(field.name, value);
@@ -106,11 +122,20 @@ export function render({ model, el }) {
     box.addEventListener("change", commit);
     box.addEventListener("keydown", (event) => {
       if (event.key === "Enter") commit();
-      if (event.key === "Escape") { box.value = text(state.values[field.name], field.step); say(""); }
+      if (event.key === "Escape") { box.value = words(state.values[field.name]); say(""); }
     });
-    const si = node("p", { class: "si-value" });
-    rows[field.name] = { show, say, hint: (words) => { si.textContent = words && `= ${words}`; } };
-    return node("div", { class: "row line" }, ...heading(field, id), slider, box, si, error);
+    const parts = heading(field, id);
+    const row = node("div", { class: "row line" }, ...parts, slider, box, unit, error);
+    const units = (found) => {
+      if (JSON.stringify(found ?? null) === JSON.stringify(si)) return;
+      si = found ?? null;
+      unit.textContent = si?.unit ?? "";
+      row.classList.toggle("si", Boolean(si));
+      parts[1].replaceChildren(symbol(si?.symbol ?? field.symbol));
+      if (field.name in state.values) show(state.values[field.name]);
+    };
+    rows[field.name] = { show, say, units };
+    return row;
   }
 
   function choice(field) {
@@ -179,7 +204,33 @@ export function render({ model, el }) {
   const reset = node("button", { type: "button", class: "plain" }, "Reset all");
   reset.addEventListener("click", () => page.send({ type: "reset" }));
   form.append(node("div", { class: "row presets" }, node("label", { for: "rs-preset", class: "hidden" }, "Presets"), presets, reset));
+  // on a narrow screen the sheet shows the sliders that the user has chosen
+  const CHOSEN = "rotorstab-sliders";
+  const chosen = new Set(["static_load_factor", "spin_speed"]);
+  try {
+    const found = JSON.parse(localStorage.getItem(CHOSEN));
+    if (Array.isArray(found)) { chosen.clear(); for (const name of found) chosen.add(name); }
+  } catch { /* private window, or nothing stored */ }
+  function chooser(fields, row) {
+    const buttons = fields.map((field) => {
+      const button = node("button", { type: "button", "aria-label": field.label, title: field.label }, symbol(field.symbol));
+      const show = () => {
+        button.setAttribute("aria-pressed", String(chosen.has(field.name)));
+        row(field.name).classList.toggle("unchosen", !chosen.has(field.name));
+      };
+      button.addEventListener("click", () => {
+        if (!chosen.delete(field.name)) chosen.add(field.name);
+        try { localStorage.setItem(CHOSEN, JSON.stringify([...chosen])); } catch { /* private window */ }
+        show();
+      });
+      show();
+      return button;
+    });
+    return node("div", { class: "chooser", role: "group", "aria-label": "Sliders in view" }, ...buttons);
+  }
+
   const conditional = []; // rows that are shown only while another input has a value
+  const main = new Map(); // rows of the group that is always in view
   for (const group of spec) {
     const set = group.title
       ? node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title))
@@ -187,7 +238,12 @@ export function render({ model, el }) {
     for (const field of group.fields) {
       const row = field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field);
       if (field.only_with) conditional.push([row, ...field.only_with]);
+      if (!group.title) main.set(field.name, row);
       set.append(row);
+    }
+    if (!group.title) {
+      const sliders = group.fields.filter((field) => !field.options && !field.only_with);
+      main.get(sliders[0].name).before(chooser(sliders, (name) => main.get(name)));
     }
     if (group.title === "Units") set.append(page.units.panel(node));
     form.append(set);

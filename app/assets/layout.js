@@ -16,4 +16,25 @@
     else Object.assign(place, { bottom: `${innerHeight - top + 4}px`, maxHeight: `${top - 4 - MARGIN}px` });
     Object.assign(pop.style, place);
   }, true);
+
+  // -- on a narrow screen the charts stand side by side, and are swiped or chosen by their names ----
+  document.addEventListener("DOMContentLoaded", () => {
+    const row = document.querySelector(".explore");
+    const buttons = [...document.querySelectorAll("[data-show]")];
+    const view = (name) => row.querySelector(`[data-view="${name}"]`);
+    const mark = () => {
+      const middle = row.getBoundingClientRect().left + row.clientWidth / 2;
+      for (const button of buttons) {
+        const { left, right } = view(button.dataset.show).getBoundingClientRect();
+        button.setAttribute("aria-pressed", String(left <= middle && middle < right));
+      }
+    };
+    for (const button of buttons) {
+      button.addEventListener("click", () => {
+        row.scrollTo({ left: view(button.dataset.show).offsetLeft - row.firstElementChild.offsetLeft });
+      });
+    }
+    row.addEventListener("scroll", mark);
+    mark();
+  }, { once: true });
 })();

@@ -172,7 +172,7 @@
     }
     for (const place of document.querySelectorAll("[data-whirl]")) {
       const [real, imaginary] = numbers.whirl[place.dataset.whirl];
-      place.replaceChildren(number(real, digits(place)), small("\u00a0Hz"));
+      place.replaceChildren(number(real, digits(place)), ...(place.tagName === "B" ? [] : [small("\u00a0Hz")]));
       if (imaginary !== 0) place.append(small(` ${word(imaginary)} ${page.written(Math.abs(imaginary), 3)}/s`, "complex"));
     }
   }
@@ -309,13 +309,7 @@
   };
 
   // -- the address: the state of the last answer, and the page in view --------------
-  let query = "";
-  function address() {
-    // replace the entry, or the back button would go through slider positions
-    if (query) history.replaceState(null, "", `${location.pathname}?${query}${location.hash}`);
-  }
-
-  page.address = address;
+  page.address = () => page.history.address();
   // the page's own address, which files give with the query of the view
   page.here = () => location.origin + location.pathname;
 
@@ -361,11 +355,8 @@
     page.units.answer(data);
     if (data.python) offer("This view as Python", data.python.py, data.python);
     if (data.told !== undefined) tell(data.told);
-    if (data.resting && !page.left) address(); // nothing else is new
+    page.history.answer(data);
     if (!data.values) return;
-    query = data.query;
-    // only at rest, because browsers refuse an address that changes with every frame
-    if (data.at_rest && !page.left) address();
     const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: such a disk cannot exist."].filter(Boolean);
     const notice = document.querySelector(".notice");
     notice.hidden = !notes.length;
@@ -386,18 +377,8 @@
   };
 
   document.addEventListener("DOMContentLoaded", () => {
-    const sidebar = document.querySelector("#sidebar");
-    const menu = document.querySelector("button.menu");
-    const drawer = (open) => {
-      sidebar.classList.toggle("open", open);
-      menu.setAttribute("aria-expanded", String(open));
-      (open ? sidebar.querySelector(".close") : menu).focus();
-    };
-    menu.addEventListener("click", () => drawer(!sidebar.classList.contains("open")));
-    sidebar.querySelector(".close").addEventListener("click", () => drawer(false));
-    document.addEventListener("keydown", (event) => { if (event.key === "Escape" && sidebar.classList.contains("open")) drawer(false); });
     document.querySelector("button.share").addEventListener("click", async () => {
-      address();
+      page.address();
       if (await copy(location.href, "The link")) return;
       offer("Link to this view", location.href);
       copySelected("The link");

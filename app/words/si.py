@@ -26,6 +26,19 @@ __all__ = [
     "si_answer",
 ]
 
+_SI_SYMBOLS = {
+    "static_load_factor": "P_0",
+    "spin_speed": "Ω",
+    "disk_mass": "M_D",
+    "diametral_inertia": "I_D",
+    "polar_inertia": "I_P",
+    "largest_factor": "P_t max",
+    "marker_factor": "P_t",
+    "lowest_frequency": "θ/2π min",
+    "highest_frequency": "θ/2π max",
+    "marker_frequency": "θ/2π",
+}
+
 
 def chart_in_si(
     chart: Chart, scales: Scales, numbers: Mapping[str, Any], unit: str | None = None
@@ -93,18 +106,28 @@ def key_numbers(
     return {**loads, "fundamental": numbers["fundamental"] * to_hertz, "whirl": whirl}
 
 
-def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
-    """Return what the browser shows in SI: key numbers, values next to sliders, chart factors."""
-    scales = state.scales()
-    fundamental = numbers["fundamental"] * hertz(scales)
-    hints = {
-        name: with_unit(written(getattr(state, name) * factor), unit)
-        for name, (factor, unit) in quantities_in_si(scales).items()
-    }
+def _inputs_in_si(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return by input what 1 is in SI ("factor"), the "unit" and the "symbol"."""
+    load, load_name = load_in(scales)
+    found = quantities_in_si(scales)
     for name in ("static_load_factor", "largest_factor", "marker_factor"):
-        hints[name] = load_words(getattr(state, name) * numbers["reference"], scales)
+        found[name] = (numbers["reference"] * load, load_name)
     for name in ("lowest_frequency", "highest_frequency", "marker_frequency"):
-        hints[name] = with_unit(written(getattr(state, name) * fundamental), "Hz")
+        found[name] = (numbers["fundamental"] * hertz(scales), "Hz")
+    return {
+        name: {"factor": factor, "unit": unit, "symbol": _SI_SYMBOLS[name]}
+        for name, (factor, unit) in found.items()
+    }
+
+
+def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
+    """Return what the browser shows in SI: key numbers, units of the sliders, chart factors."""
+    scales = state.scales()
+    inputs = _inputs_in_si(scales, numbers)
+    hints = {
+        name: with_unit(written(getattr(state, name) * one["factor"]), one["unit"])
+        for name, one in inputs.items()
+    }
     factors = {
         key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
         for key in keys
@@ -113,6 +136,7 @@ def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -
         "numbers": key_numbers(scales, numbers),
         "load_unit": load_unit(scales),
         "hints": hints,
+        "inputs": inputs,
         "factors": factors,
     }
 

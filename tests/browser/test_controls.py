@@ -50,6 +50,10 @@ def test_a_dragged_slider_redraws_the_charts_as_the_solver_says(page, name):
 
 def test_every_slider_sets_its_own_input(page):
     open_groups(page)
+    # the slider of the tangency is there for a partly follower load only
+    assert not page.locator("#rs-tangency").is_visible()
+    page.locator("input[name='rs-load_type'][value='partly']").check()
+    wait_for_value(page, "load_type", "partly")
     values = page.evaluate("rotorstab.last.values")
     for name in SLIDERS:
         low, high = State.param[name].bounds
@@ -60,7 +64,6 @@ def test_every_slider_sets_its_own_input(page):
         assert value != values[name]
         values[name] = value
         wait_for_value(page, name, value)
-    values["load_type"] = "partly"  # by the slider of the tangency
     assert settle(page) == values
 
 
@@ -86,6 +89,8 @@ def test_every_choice_sets_its_own_input(page):
 
 def test_switches_hide_layers_and_show_them_again(page):
     open_groups(page)
+    page.locator("#rs-show_disagreement").check()
+    settle(page, "show_disagreement", True)
     page.wait_for_function(f"({HIDDEN_LAYERS})() === 0")
     for name in SWITCHES:
         page.locator(f"#rs-{name}").uncheck()
@@ -205,3 +210,35 @@ def test_sustained_dragging_settles_on_the_last_value(page):
     )
     settle(page, "spin_speed", 3.3)
     agrees(page)
+
+
+def test_in_si_the_sliders_themselves_are_in_si(page):
+    page.locator("#rs-preset").select_option("Table 1, 1000 rpm")
+    open_groups(page)
+    page.locator("input[name='rs-units'][value='SI']").check()
+    page.wait_for_function("rotorstab.last.si")
+    box = box_of(page, "spin_speed")
+    assert box.input_value() == "1000"
+    row = page.locator(".row", has=page.locator("#rs-spin_speed"))
+    assert row.locator(".unit").inner_text() == "rpm"
+    assert page.locator("#rs-spin_speed").get_attribute("aria-valuetext") == "1000 rpm"
+    before = page.evaluate("rotorstab.last.values.spin_speed")
+    box.fill("1500")
+    box.press("Enter")
+    page.wait_for_function(
+        "(value) => Math.abs(rotorstab.last.values.spin_speed - value) < 1e-9", arg=1.5 * before
+    )
+    # the steps of the slider are round in SI
+    page.locator("#rs-spin_speed").press("ArrowRight")
+    assert float(box.input_value()) % 10 == 0
+    # the same value as is shown, rounded, changes nothing
+    mass = page.evaluate("rotorstab.last.values.disk_mass")
+    box_of(page, "disk_mass").press("Enter")
+    settle(page)
+    assert page.evaluate("rotorstab.last.values.disk_mass") == mass
+    box.fill("99999")
+    box.press("Enter")
+    error_of(page, "spin_speed").filter(has_text="rpm").wait_for()
+    page.locator("input[name='rs-units'][value='non-dimensional']").check()
+    page.wait_for_function("rotorstab.last.si === null")
+    assert row.locator(".unit").text_content() == ""

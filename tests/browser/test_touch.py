@@ -45,6 +45,8 @@ def phone(kept_phone, dashboard):
     page.evaluate("rotorstab.send({ type: 'settle' })")
     page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
     wait_for_rest(page)
+    page.evaluate("scrollTo(0, 0)")
+    go_to(page, "instability")
     yield page
     watch.check(dashboard)
 
@@ -64,14 +66,33 @@ def swipe(page, start, end, steps=8):
     wait_for_rest(page)  # it may go on scrolling
 
 
+NAMES = {"instability": "Instability", "load-frequency": "Load", "campbell": "Campbell"}
+
+
+def go_to(phone, key):
+    """Bring one chart of the row into view by its name."""
+    phone.get_by_role("navigation", name="Charts").get_by_role("button", name=NAMES[key]).tap()
+    wait_for_rest(phone)  # it scrolls
+
+
 def test_a_swipe_over_a_chart_scrolls_the_page(phone):
     for key in CHARTS:
+        go_to(phone, key)
+        phone.evaluate("scrollTo(0, 0)")
         x, y, width, height = phone.evaluate(CHART, key)
         before = phone.evaluate("scrollY")
-        # back up the page: the last chart stands at its end
-        swipe(phone, (x + width / 2, y + 0.2 * height), (x + width / 2, y + 0.8 * height))
-        assert before - phone.evaluate("scrollY") > 0.3 * height, key
+        swipe(phone, (x + width / 2, y + 0.8 * height), (x + width / 2, y + 0.2 * height))
+        assert phone.evaluate("scrollY") > before, key
         assert phone.evaluate(ZOOM, key) == [0, 0], key
+
+
+def test_the_shaft_is_one_swipe_away(phone):
+    x, y, width, height = phone.evaluate(CHART, "instability")
+    swipe(phone, (x + 0.9 * width, y + height / 2), (x + 0.1 * width, y + height / 2))
+    phone.wait_for_function(
+        "Math.abs(document.querySelector('[data-view=shaft]').getBoundingClientRect().left) < 20"
+    )
+    assert phone.evaluate(ZOOM, "instability") == [0, 0]
 
 
 def test_a_tap_places_the_marker(phone):
@@ -101,11 +122,7 @@ def test_a_finger_drags_the_marker_and_the_page_stays(phone):
     phone.wait_for_function("rotorstab.last.at_rest && Bokeh.documents[0].is_idle")
 
 
-def test_drawer_slider_and_menus_work_under_a_finger(phone):
-    sidebar = phone.locator("#sidebar")
-    phone.get_by_role("button", name="Parameters", exact=True).tap()
-    sidebar.wait_for(state="visible")
-    wait_for_rest(phone)
+def test_sliders_and_menus_work_under_a_finger(phone):
     slider = phone.locator("#rs-spin_speed")
     box = slider.bounding_box()
     assert box["height"] >= 24
@@ -113,19 +130,15 @@ def test_drawer_slider_and_menus_work_under_a_finger(phone):
     at = [box["x"] + 9 + (box["width"] - 18) * share for share in (0.5, 0.75)]
     swipe(phone, (at[0], y), (at[1], y))
     phone.wait_for_function("Math.abs(rotorstab.last.values.spin_speed - 3) < 0.1")
-    # a swipe that only starts on a slider scrolls the drawer
-    before = phone.evaluate(
-        "[rotorstab.last.values.spin_speed, document.querySelector('#sidebar').scrollTop]"
-    )
+    # a swipe that only starts on a slider scrolls the page
+    here = "[rotorstab.last.values.spin_speed, scrollY]"
+    before = phone.evaluate(here)
     box = slider.bounding_box()
     swipe(phone, (at[0], box["y"] + 12), (at[0], box["y"] - 200))
-    after = phone.evaluate(
-        "[rotorstab.last.values.spin_speed, document.querySelector('#sidebar').scrollTop]"
-    )
+    after = phone.evaluate(here)
     assert after[0] == before[0]
     assert after[1] > before[1] + 50
-    phone.get_by_role("button", name="Close parameters").tap()
-    sidebar.wait_for(state="hidden")
+    phone.evaluate("scrollTo(0, 0)")
 
     phone.locator("details.share-menu summary").tap()
     phone.get_by_role("button", name="As Python").tap()
@@ -134,6 +147,7 @@ def test_drawer_slider_and_menus_work_under_a_finger(phone):
     dialog.get_by_role("button", name="Close").tap()
 
     # a native menu: it has the focus, and nothing lies over it
+    go_to(phone, "campbell")
     menu = phone.locator("select.export[data-chart=campbell]")
     menu.scroll_into_view_if_needed()
     assert menu.bounding_box()["height"] >= 24
