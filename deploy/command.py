@@ -24,6 +24,7 @@ NEEDED = (
     "bokeh",
     "tornado",
     "matplotlib",
+    "contourpy",
     "packaging",
     "pint",
     "prometheus_client",

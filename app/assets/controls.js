@@ -110,7 +110,8 @@ export function render({ model, el }) {
       // a bound or a value that is typed as it is shown, rounded, means itself
       for (const exact of [field.low, field.high, state.values[field.name]]) if (si && words(value) === words(exact)) value = exact;
       if (!(value >= field.low && value <= field.high)) {
-        say(typed.doubt || `must be a number from ${words(field.low)} to ${words(field.high)} ${si?.unit ?? ""}`.trim());
+        const [low, high] = [field.low, field.high].map((end) => (si ? words(end) : end));
+        say(typed.doubt || `must be a number from ${low} to ${high} ${si?.unit ?? ""}`.trim());
         return;
       }
       say("");

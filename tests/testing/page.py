@@ -96,16 +96,22 @@ def shown(page):
     return json.loads(page.evaluate(SHOWN))
 
 
-def expected(values):
-    """Return the columns and axes that the solver gives for these inputs, for each chart."""
-    state = State()
+def expected(values, seen=None):
+    """Return the columns and axes that the solver gives for these inputs, for each chart.
+
+    `seen` are the axes of the instability chart where it is zoomed.
+    """
+    state, explore = State(), Explore()
     assert state.change(values) == {}
+    if seen is not None:
+        ends = zip(("left", "right", "low", "high"), (*seen[0], *seen[1]), strict=True)
+        explore.handle({"type": "window", "chart": "instability", **dict(ends)}, state)
     return {
         key: {
             "layers": [_plain(screen.columns(layer)) for layer in chart.layers],
             "axes": [list(chart.x_range), list(chart.y_range)],
         }
-        for key, chart in Explore().compute(state).items()
+        for key, chart in explore.compute(state).items()
     }
 
 
@@ -115,7 +121,7 @@ def agrees(page):
         values = settle(page)
         found, wanted = shown(page), expected(values)
         # no comparison by `==`: pytest would spend an hour on the difference of so many numbers
-        differing = [key for key in CHARTS if not _same(found[key], wanted[key])]
+        differing = [key for key in CHARTS if not is_same(found[key], wanted[key])]
         if not differing:
             return values
         page.wait_for_timeout(50 * attempt)
@@ -133,12 +139,12 @@ def _plain(value):
     return value
 
 
-def _same(found, wanted):
+def is_same(found, wanted):
     """Whether two columns agree; the server's BLAS may round differently from the test's."""
     if isinstance(wanted, dict):
-        return found.keys() == wanted.keys() and all(_same(found[k], wanted[k]) for k in wanted)
+        return found.keys() == wanted.keys() and all(is_same(found[k], wanted[k]) for k in wanted)
     if isinstance(wanted, list):
-        return len(found) == len(wanted) and all(map(_same, found, wanted))
+        return len(found) == len(wanted) and all(map(is_same, found, wanted))
     if isinstance(wanted, float):
         return found is not None and math.isclose(found, wanted, rel_tol=1e-6, abs_tol=1e-9)
     return found == wanted

@@ -95,7 +95,7 @@ def settle(monkeypatch, work, act):
     return shown
 
 
-def test_the_map_is_shown_before_its_edges(fresh, monkeypatch):
+def test_the_map_is_shown_before_its_doubtful_pixels_are_refined(fresh, monkeypatch):
     async def act(one, page):
         assert one.detail(WINDOW) is COARSE
         assert one.detail(WINDOW) is COARSE  # asked once
@@ -107,8 +107,8 @@ def test_the_map_is_shown_before_its_edges(fresh, monkeypatch):
     work = Here()
     assert settle(monkeypatch, work, act) == [FULL, REFINED]
     assert work.asked == [FULL, REFINED]
-    assert known_map(WINDOW, FULL).outlines == ()
-    assert len(known_map(WINDOW, REFINED).outlines) > 3
+    assert known_map(WINDOW, FULL).growth.refined == 0
+    assert known_map(WINDOW, REFINED).growth.refined > 0
 
 
 def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
