@@ -53,7 +53,7 @@ def test_the_python_blocks_run_and_give_what_their_comments_say():
 def test_the_commands_run(command, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     # tables are enough here: pictures have their own tests
-    words = shlex.split(command.replace("fig6.pdf", "fig6.csv"))
+    words = shlex.split(command.replace("fig6.pdf", "fig6.csv").replace("LINK", "as=0.5&spin=2"))
     assert main(words) == 0
     assert capsys.readouterr().out or list(tmp_path.iterdir())
 

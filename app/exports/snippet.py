@@ -229,5 +229,7 @@ bolotin = bolotin_chart({undamped}, static_load, {largest}, {BOUNDARY_ROWS})
 low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency
 loads = (np.arange({rows}) + 0.5) / {rows} * largest_load
 frequencies = low + (np.arange({columns}) + 0.5) / {columns} * (high - low)
-stability = stability_chart(system, static_load, loads, frequencies, {options})
+stability = stability_chart(
+    system, static_load, loads, frequencies, edges=True, {options}
+)
 tongues = resonances(system, static_load, {TABLE_FACTOR:g} * reference_load).tongues"""

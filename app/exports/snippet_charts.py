@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..results.analysis import GROWTH_TOPS
 from ..results.curves import load_cases
 from ..state import State
 
@@ -29,14 +30,23 @@ def drawing_lines(state: State, in_si: bool) -> str:
     cases = load_cases(state.model, state.effective_tangency(), state.stiffness)
     # the flutter load is that of the linear law, whatever law the curves are of
     flutter = "flutter, linear" if any(case.law == "exact" for case in cases) else "flutter"
-    per_period = state.growth_unit == "per period"
+    per_period, top = state.growth_unit == "per period", GROWTH_TOPS[state.growth_unit]
     instability = _marked(state) if state.marker else ""
     return f"""\
 # the charts, as the page draws them
 {_REPLACE if state.marker else ""}from rotorstab.charts import (
 {imports})
 
-growth = GrowthGrid(stability.growth, stability.unstable, None, per_period={per_period!r})
+growth = GrowthGrid(
+    stability.growth,
+    stability.unstable,
+    None,
+    ({state.lowest_frequency!r}, {state.highest_frequency!r}, 0.0, {state.largest_factor!r}),
+    {per_period!r},
+    stability.edges,
+    stability.growth[: len(stability.edges.pulsating_loads)],
+    {top!r},
+)
 limits = {{
     "buckling": float(critical_load(rotor.shear)),
     "{flutter}": flutter_load(lumped(rotor, {state.spin_speed!r}, tangency=1.0)),

@@ -93,7 +93,7 @@ def _edges(panel: Chart) -> tuple[Curve, ...]:
 
 def _points(curve: Curve, kind: str) -> tuple[Array, Array]:
     """Return a curve's points; an outline of a tongue is written as a polygon without gaps."""
-    return curve.polygon if kind == "unstable" and curve.pair else (curve.x, curve.y)
+    return curve.polygon if kind == "unstable" and curve.role != "edge" else (curve.x, curve.y)
 
 
 def _growth_name(panel: Chart) -> str:

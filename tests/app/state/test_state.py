@@ -186,9 +186,9 @@ def test_good_values_are_kept_while_bad_ones_are_refused():
 @pytest.mark.parametrize(
     ("values", "refused"),
     [
-        ({"lowest_frequency": 16.0}, {"lowest_frequency"}),
-        ({"lowest_frequency": 15.7}, {"lowest_frequency"}),
-        ({"lowest_frequency": 15.5}, set()),
+        ({"lowest_frequency": 6.0}, {"lowest_frequency"}),
+        ({"lowest_frequency": 5.7}, {"lowest_frequency"}),
+        ({"lowest_frequency": 5.5}, set()),
         ({"lowest_frequency": 20.0, "highest_frequency": 30.0}, set()),
         (
             {"lowest_frequency": 20.0, "highest_frequency": 10.0},
