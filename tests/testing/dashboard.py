@@ -70,6 +70,7 @@ def reset(page):
         """(inputs) => {
           const { page, values } = rotorstab.last;
           return page === "explore" && Bokeh.documents[0].is_idle
+            && rotorstab.messages.waited() === 0
             && Object.entries(inputs).every(([name, value]) => values?.[name] === value);
         }""",
         arg=State().inputs(),
