@@ -99,7 +99,11 @@ def test_a_page_that_lost_its_server_returns_with_state_pins_and_marker(browser,
         page.wait_for_function("rotorstab.last.pins")
         page.evaluate("(all) => rotorstab.send({ type: 'change', values: all })", MARKED)
         page.evaluate("rotorstab.send({ type: 'settle' })")
-        page.wait_for_function("rotorstab.last.at_rest && rotorstab.last.inspector")
+        page.wait_for_function(
+            "(all) => rotorstab.last.at_rest && rotorstab.last.inspector"
+            " && Object.entries(all).every(([name, value]) => rotorstab.last.values[name] === value)",
+            arg=MARKED,
+        )
         page.evaluate("location.hash = 'explore'")
         at_rest(page)
         before = page.evaluate("rotorstab.last")
