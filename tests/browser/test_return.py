@@ -101,7 +101,7 @@ def test_a_page_that_lost_its_server_returns_with_state_pins_and_marker(browser,
         page.evaluate("rotorstab.send({ type: 'settle' })")
         page.wait_for_function(
             "(all) => rotorstab.last.at_rest && rotorstab.last.inspector"
-            " && Object.entries(all).every(([name, value]) => rotorstab.last.values[name] === value)",
+            " && Object.entries(all).every(([key, value]) => rotorstab.last.values[key] === value)",
             arg=MARKED,
         )
         page.evaluate("location.hash = 'explore'")
