@@ -19,6 +19,7 @@ from app.state.address import from_arguments, to_query
 from rotorstab import floquet_multipliers, growth_rate, initial_conditions, lumped, time_response
 from rotorstab.drawing import screen
 from rotorstab.floquet import integrator, sampled_period
+from tests.testing.page import settle, wait_for_value
 
 UNSTABLE = {"marker": True, "marker_frequency": 1.68, "marker_factor": 0.5}
 # Bolotin's region without a tongue: the multipliers cross −1 and live
@@ -362,14 +363,20 @@ def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
     page.locator("[data-marker=marker_frequency]").press("Enter")
     page.locator("[data-marker=marker_factor]").fill("0.49")
     page.locator("[data-marker=marker_factor]").press("Enter")
-    page.wait_for_function("rotorstab.last.values.marker_factor === 0.49")
-    settled(page)
+    wait_for_value(page, "marker_factor", 0.49)
+    settle(page, "marker_frequency", 1.67)
+    page.wait_for_function("rotorstab.messages.waited() === 0")
     assert page.locator("[data-point]").inner_text().startswith("Unstable: ")
 
     state = State()
     state.change(page.evaluate("rotorstab.last.values"))
     found = inspect(state, solve(state))
     motion = found.response
+    # the charts of the point may come after its words
+    for _ in range(100):
+        if len(drawn(page, "response", "V of the tip", "ys")) == motion.displacement.size:
+            break
+        page.wait_for_timeout(50)
     page.wait_for_function("Bokeh.documents[0].is_idle")
     np.testing.assert_allclose(
         drawn(page, "response", "V of the tip", "ys"), motion.displacement.real, atol=1e-12
