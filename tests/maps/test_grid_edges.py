@@ -1,5 +1,7 @@
 """Edges of the unstable set on a grid, against single points on both sides of them."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -141,3 +143,30 @@ def test_tongues_of_finite_elements_are_followed_only_where_points_may_be_refine
     for line in exact:
         points = line.pulsating_loads[1:], line.excitation_frequencies[1:]
         assert (floquet_solution(system, static, *points).growth_rate > 0).all()
+
+
+def test_a_line_of_a_thin_tongue_joins_no_two_tongues():
+    """On this coarse grid a line left its tongue by ten columns, through stable ground."""
+    rotor = ShaftDisk(0.0192, 3.2027, 0.9567, 1.5461)
+    buckling = float(critical_load(rotor.shear))
+    frequency = fundamental_frequency(lumped(rotor, 0.0))
+    system, static = lumped(rotor, 2.4298), 0.4713 * buckling
+    loads = np.concatenate([[0.0], (np.arange(40) + 0.5) / 40, [1.0]]) * buckling
+    frequencies = (np.arange(230, 324) + 0.5) / 324 * 6 * frequency
+    step = frequencies[1] - frequencies[0]
+    chart = stability_chart(system, static, loads, frequencies, edges=True)
+
+    def growth(load, theta):
+        near = theta + 1.5 * step * np.linspace(-1, 1, 2001)
+        rates = floquet_solution(system, static, np.full(near.size, load), near).growth_rate
+        return rates.max()
+
+    checked = 0
+    for line in chart.edges.thin:
+        points = np.column_stack([line.pulsating_loads, line.excitation_frequencies])
+        for first, second in pairwise(points):
+            # a tongue widens with the load: where the lower end is wide enough, the middle is
+            if np.isfinite([first, second]).all() and first[0] > 0 and growth(*first) > 1e-4:
+                assert growth(*(first + second) / 2) > 1e-4, (line.name, line.order)
+                checked += 1
+    assert checked > 3

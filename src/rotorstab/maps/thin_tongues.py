@@ -14,7 +14,7 @@ from ..floquet.resonance import Resonance, resonances
 from ..floquet.tongues.collision_measure import collision_measure
 from ..floquet.tongues.collisions import multiplier_collisions
 from ..floquet.tongues.intervals import Interval
-from ..floquet.tongues.linking import linked_pieces
+from ..floquet.tongues.linking import FARTHEST_MOVE, linked_pieces
 from ..floquet.tongues.tracking import tongue_centres
 
 __all__ = ["ThinTongue", "thin_tongues"]
@@ -104,7 +104,7 @@ def thin_tongues(
         near[1:] |= hidden[:-1]
         near[:-1] |= hidden[1:]
         name, order = (nearest[0].name, nearest[1]) if nearest else ("", 0)
-        found.append(ThinTongue(name, order, level, np.where(near, centre, np.nan)))
+        found.append(ThinTongue(name, order, *_in_parts(level, np.where(near, centre, np.nan))))
     return tuple(found)
 
 
@@ -138,6 +138,12 @@ def _of_rows(hidden: Mask, is_row: Mask) -> Mask:
         found[0] = hidden[0 if is_row[0] else 1]
         found[-1] = hidden[-1 if is_row[-1] else -2]
     return found
+
+
+def _in_parts(level: Array, centre: Array) -> tuple[Array, Array]:
+    """Return a line with a gap at each step to another tongue, and its loads."""
+    jumps = np.flatnonzero(np.abs(np.diff(centre)) > FARTHEST_MOVE * centre[1:]) + 1
+    return np.insert(level, jumps, level[jumps]), np.insert(centre, jumps, np.nan)
 
 
 def _rooted(

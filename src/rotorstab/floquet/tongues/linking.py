@@ -13,9 +13,10 @@ from itertools import pairwise
 from ..._types import Array
 from .intervals import Interval
 
-__all__ = ["Piece", "linked_pieces"]
+__all__ = ["FARTHEST_MOVE", "Piece", "linked_pieces"]
 
-_FARTHEST_MOVE = 0.012  # of θ̄: by so much a narrow tongue may move in a row without overlap
+FARTHEST_MOVE = 0.012
+"""Part of θ̄ by which a narrow tongue may move from one row to the next without overlap."""
 
 
 @dataclass
@@ -113,7 +114,7 @@ def _nearest_links(
     for distance, a, b in sorted(
         (abs(predicted[a].centre - row[b].centre), a, b) for a in free_a for b in free_b
     ):
-        if a in free_a and b in free_b and distance <= _FARTHEST_MOVE * row[b].centre:
+        if a in free_a and b in free_b and distance <= FARTHEST_MOVE * row[b].centre:
             found.append((a, b))
             free_a.remove(a)
             free_b.remove(b)
