@@ -162,8 +162,10 @@ def test_critical_speeds_lie_on_the_synchronous_lines():
 @given(st.floats(-1e3, 0.0), st.floats(0.0, 1e3))
 def test_a_range_around_zero_holds_its_ends_with_room(least, largest):
     low, high = around_zero(least, largest)
-    assert 1.08 * least - 2 <= low < least or low == -0.5
-    assert largest < high <= 1.08 * largest + 2
+    room = 0.15 * (largest - least)  # for a label beyond each end
+    for end, edge in ((-least, -low), (largest, high)):
+        assert end + room <= edge * (1 + 1e-12)
+        assert edge <= max(0.5, end + room + 2)
 
 
 def test_roles_differ_by_more_than_colour():

@@ -17,6 +17,7 @@ from .structure import Layer
 
 __all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "points_layer", "widened"]
 
+_LABEL = 0.15  # height of a label, in heights of a low chart
 _TWIN = 1e-6  # of a frequency: two that differ from a conjugate pair by less are one
 
 
@@ -155,7 +156,11 @@ def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Se
 
 
 def around_zero(low: float, high: float) -> tuple[float, float]:
-    """Return a range from below 0 to above it, with room, in steps so that it rarely moves."""
+    """Return a range from below 0 to above it, in steps so that it rarely moves.
+
+    It has room for a line of text beyond each end, also where the chart is 110 pixels high.
+    """
     step = 0.5 if max(-low, high) < 4 else 2.0
-    below, above = (step * max(1.0, float(np.ceil(end * 1.08 / step))) for end in (-low, high))
+    room = _LABEL * (high - low)
+    below, above = (step * max(1.0, float(np.ceil((end + room) / step))) for end in (-low, high))
     return -below, above

@@ -57,7 +57,7 @@ class Quantity:
 
 LOAD = Quantity("steady load", "p̄", "EI/L²")
 SPIN = Quantity("spin speed", "Ω̄", _FREQUENCY)
-WHIRL = Quantity("whirl frequency", "ω̄", _FREQUENCY)
+WHIRL = Quantity("whirl", "ω̄", _FREQUENCY)
 EXCITATION = Quantity("excitation frequency", "θ̄", _FREQUENCY)
 EXCITATION_RATIO = Quantity("excitation frequency", "θ/ωₙ")
 LOAD_FACTOR = Quantity("dynamic load factor", "β_d")

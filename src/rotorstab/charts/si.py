@@ -43,7 +43,7 @@ def _in_si(scales: Scales, unit: str) -> dict[Quantity, _Scaled]:
     return {
         LOAD: _Scaled(Quantity("steady load", "P", unit), scales.load / LOAD_UNITS[unit]),
         SPIN: _Scaled(Quantity("spin speed", "Ω", "rpm"), 60 * hertz),
-        WHIRL: _Scaled(Quantity("whirl frequency", "ω/2π", "Hz"), hertz),
+        WHIRL: _Scaled(Quantity("whirl", "ω/2π", "Hz"), hertz),
         EXCITATION: _Scaled(Quantity("excitation frequency", "θ/2π", "Hz"), hertz),
         GROWTH: _Scaled(GROWTH_SI, scales.frequency),
         GROWTH_PER_PERIOD: _Scaled(Quantity("growth per period", "σT"), 1.0),
