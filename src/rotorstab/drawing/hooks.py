@@ -130,6 +130,8 @@ def finish(plot: Any, _: Any) -> None:
     figure.toolbar.active_scroll = None
     # the page's own ground shows through, light or dark
     figure.update(background_fill_color=None, border_fill_color=None, outline_line_color=None)
+    for axis in figure.xaxis:
+        axis.ticker.desired_num_ticks = 5  # numbers of five digits do not touch in a narrow chart
     for axis in figure.axis:
         # plain digits as far as they fit
         axis.formatter.update(power_limit_high=7)
