@@ -119,8 +119,8 @@ class LiveChart:
             colours.high = top
         assert layer.quantity is not None
         title = layer.quantity.label(in_si)
-        for bar in self.figure.select({"type": ColorBar}):
-            if bar.title != title:
+        for bar in self.figure.right:
+            if isinstance(bar, ColorBar) and bar.title != title:
                 bar.title = title
 
     def set_visible(self, shown: Mapping[str, bool]) -> None:

@@ -82,7 +82,7 @@ def _region_cells(region: FirstOrderRegion, units: Units, damped: bool) -> list[
     threshold = min(tongue.threshold for tongue in region.tongues) / units.reference
     return [
         region.name,
-        units.place(region.centre / units.fundamental).removeprefix("θ/ωₙ = "),
+        units.bare_excitation(region.centre / units.fundamental),
         units.width(region.width / units.fundamental),
         f"{about}{written(rate, 3)}",
         *([written(threshold, 3)] if damped else []),
@@ -90,7 +90,7 @@ def _region_cells(region: FirstOrderRegion, units: Units, damped: bool) -> list[
 
 
 def _later_cells(row: Resonance, units: Units) -> list[str]:
-    place = units.place(row.centre / units.fundamental).removeprefix("θ/ωₙ = ")
+    place = units.bare_excitation(row.centre / units.fundamental)
     return [row.name, place, _NONE, _NONE, written(row.threshold / units.reference, 3)]
 
 

@@ -10,16 +10,19 @@ from .._types import Array
 from .extra import extra_is_missing
 
 try:
+    from bokeh.palettes import Plasma256
     from contourpy import FillType, LineType, contour_generator
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Layer
 
-__all__ = ["BANDS", "areas", "outline"]
+__all__ = ["BANDS", "GROWTH_COLOURS", "areas", "outline"]
 
 BANDS = 10
 """Number of equal steps of the growth rate that have a colour each."""
+GROWTH_COLOURS: list[str] = [Plasma256[round(place)] for place in np.linspace(112, 240, BANDS)]
+"""Their colours, on the screen and in print: without Plasma's darkest part, for dark grounds."""
 
 
 def outline(layer: Layer) -> tuple[Array, Array]:

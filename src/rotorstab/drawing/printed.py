@@ -18,7 +18,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Figure
-from ..charts.figure import growth_layer
+from ..charts.figure import growth_bands
 from .formats import PICTURE_FORMATS, Origin
 from .printed_growth import add_colour_bar
 from .printed_legend import add_legend, legend_rows
@@ -165,7 +165,7 @@ def _panel_inches(figure: Figure) -> tuple[float, float]:
         return PANEL_INCHES
     if figure.number == 0 and len(figure.panels) == 1:  # a live chart
         (panel,) = figure.panels
-        if growth_layer(panel) is not None:
+        if growth_bands(panel) is not None:
             return _LIVE_INCHES
         return _SQUARE_INCHES if panel.square else _SINGLE_INCHES
     return _WIDE_INCHES if figure.has_floquet else _SINGLE_INCHES
@@ -185,7 +185,7 @@ def _arrange(drawn: Any, figure: Figure) -> None:
     axes = [part for part in drawn.axes if part.get_title()]
     for index, (part, panel) in enumerate(zip(axes, figure.panels, strict=True)):
         row, column = divmod(index, columns)
-        bar = _BAR_ROOM if part.images else 0.0
+        bar = _BAR_ROOM if growth_bands(panel) is not None else 0.0
         part.set_position(
             (
                 (column * across + 0.62) / width,

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from ..charts import Figure
-from ..charts.figure import growth_layer
+from ..charts.figure import growth_bands
 from ..charts.instability import BOLOTIN
 from ..charts.tongues import FLOQUET
-from .printed_growth import growth_colours
+from .contours import GROWTH_COLOURS
 from .printed_panel import DASHES, FILL, PALE, SHADE, point_look
 from .typesetting import mathtext
 
@@ -82,10 +82,9 @@ def _area_entries(figure: Figure) -> list[tuple[str, str, float]]:
     Areas of one colour have it in the legend; those of several, told apart by lines, are grey.
     """
     regions = [region for panel in figure.panels for region in panel.regions]
-    if any(growth_layer(panel) is not None for panel in figure.panels):
+    if any(growth_bands(panel) is not None for panel in figure.panels):
         bolotin = [(BOLOTIN, regions[0].look.print_color, 2 * PALE)] if regions else []
-        colours = growth_colours()
-        return [*bolotin, (FLOQUET, colours[len(colours) // 2], 1.0)]
+        return [*bolotin, (FLOQUET, GROWTH_COLOURS[len(GROWTH_COLOURS) // 2], 1.0)]
     if not figure.has_floquet or not regions:
         return []
     outlines = [outline for panel in figure.panels for outline in panel.unstable]

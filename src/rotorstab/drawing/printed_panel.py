@@ -17,7 +17,7 @@ except ImportError as error:
 from ..charts import ROLES, Chart, Curve, Layer
 from ..charts.figure import growth_bands
 from . import contours
-from .printed_growth import growth_images
+from .printed_growth import growth_hook
 from .typesetting import mathtext
 
 __all__ = ["DASHES", "FILL", "PALE", "PANEL_INCHES", "SHADE", "panel_overlay", "point_look"]
@@ -50,8 +50,8 @@ def point_look(point: Curve) -> tuple[str, str]:
     return _POINTS.get(point.group, ("D", point.look.print_color))
 
 
-def _fill_hook(outlines: Sequence[Curve], filled: bool) -> Callable[[Any, Any], None]:
-    """Return a HoloViews hook that outlines what is unstable, and fills it where asked to.
+def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
+    """Return a HoloViews hook that outlines and fills what is unstable.
 
     A panel has a hundred thin polygons; as HoloViews elements they would take half a minute.
     """
@@ -65,18 +65,12 @@ def _fill_hook(outlines: Sequence[Curve], filled: bool) -> Callable[[Any, Any], 
             color, style = curves[0].look.print_color, curves[0].style
             shapes = [np.column_stack(curve.polygon) for curve in curves]
             edges = [half for shape in shapes for half in np.split(shape, [len(shape) // 2])]
-            if filled:
-                axes.add_collection(
-                    PolyCollection(
-                        shapes,
-                        facecolor=color,
-                        edgecolor="none",
-                        alpha=FILL,
-                        zorder=1,
-                        label=group,
-                    ),
-                    autolim=False,
-                )
+            axes.add_collection(
+                PolyCollection(
+                    shapes, facecolor=color, edgecolor="none", alpha=FILL, zorder=1, label=group
+                ),
+                autolim=False,
+            )
             # the thinnest tongue is seen by its outline
             axes.add_collection(
                 LineCollection(
@@ -138,13 +132,12 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
         for point in panel.curves("points")
         for sign, color in [point_look(point)]
     ]
-    growth = growth_images(panel)
     bands = growth_bands(panel)
-    hooks = [_fill_hook(panel.unstable, not growth)] if panel.unstable else []
+    hooks = [_fill_hook(panel.unstable)] if panel.unstable else []
     if bands is not None:
-        hooks.append(_edge_hook(bands))
+        hooks += [growth_hook(bands), _edge_hook(bands)]
     regions = _regions(panel, PALE if thin else SHADE)
-    return hv.Overlay([*growth, *regions, *lines, *points]).opts(
+    return hv.Overlay([*regions, *lines, *points]).opts(
         hv.opts.Overlay(
             title=f"({panel.letter}) {panel.title}" if panel.letter else panel.title,
             xlabel=mathtext(panel.x.name(with_unit=True)),

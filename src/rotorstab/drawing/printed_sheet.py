@@ -13,6 +13,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Chart
+from ..charts.figure import growth_bands
 from ..charts.sheet import Sheet
 from .formats import Origin
 from .printed import DOTS, drawn_files, rendered
@@ -125,7 +126,7 @@ def _place(axes: Any, chart: Chart, box: Box, left: float = _LEFT, legend: float
 
     `left` is the room for labels at the left, `legend` that of a legend below the title.
     """
-    bar = _BAR_ROOM if axes.images else 0.0
+    bar = _BAR_ROOM if growth_bands(chart) is not None else 0.0
     axes.set_position(
         (
             (box.left + left) / _WIDTH,

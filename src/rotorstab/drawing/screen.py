@@ -15,12 +15,12 @@ from .extra import extra_is_missing
 
 try:
     import holoviews as hv
-    from bokeh.palettes import Plasma256
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import ROLES, Chart, Layer
 from . import contours
+from .contours import GROWTH_COLOURS
 from .hooks import (
     apply_hatch,
     apply_label_places,
@@ -37,7 +37,6 @@ from .hooks import (
 
 __all__ = [
     "DISAGREEMENT_COLOURS",
-    "GROWTH_COLOURS",
     "POINT_LOOKS",
     "columns",
     "element",
@@ -79,8 +78,6 @@ POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
         "line_width": 3,
     },
 }
-# without Plasma's darkest part, which is dark on a dark ground
-GROWTH_COLOURS = [Plasma256[round(place)] for place in np.linspace(112, 240, contours.BANDS)]
 DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
