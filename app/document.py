@@ -57,11 +57,10 @@ SWITCHED = {"backward": "show_bolotin", "forward": "show_bolotin", "edge": "show
 
 def meaning(role: Role) -> Markup | str:
     """Return the meaning of a stroke, for both units: in SI a symbol has no bar."""
-    in_si = role.meaning.replace("\u0304", "")
-    if "ω" not in in_si:  # coefficients have the same symbols in both units
+    if not role.si_meaning:
         return role.meaning
     texts = Markup('<span class="nd">{}</span><span class="si">{}</span>')
-    return texts.format(role.meaning, in_si)
+    return texts.format(role.meaning, role.si_meaning)
 
 
 def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
@@ -75,6 +74,15 @@ def _attribute(name: str, switched: Mapping[str, str]) -> Markup | str:
     return ""
 
 
+def stroke(name: str, length: int = 30) -> Markup:
+    """Return a stroke of a legend, `length` pixels long, that looks as the lines of a role do."""
+    role = ROLES[name]
+    return Markup(
+        '<svg width="{}" height="8" aria-hidden="true"><line x1="1" x2="{}" y1="4" y2="4" '
+        'stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>'
+    ).format(length, length - 1, role.color, role.width, "" if role.dash == "solid" else role.dash)
+
+
 def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyType({})) -> Markup:
     """Return an HTML legend whose strokes are those of the chart.
 
@@ -85,21 +93,12 @@ def legend(roles: tuple[str, ...], switched: Mapping[str, str] = MappingProxyTyp
     switched : mapping of str to str
         The input that switches a role's layer on and off, for the roles that have one.
     """
-    entries = []
-    for name in roles:
-        role = ROLES[name]
-        entries.append(
-            Markup(
-                '<li{}><svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" '
-                'y2="4" stroke="{}" stroke-width="{}" stroke-dasharray="{}"/></svg>{}</li>'
-            ).format(
-                _attribute(name, switched),
-                role.color,
-                role.width,
-                "" if role.dash == "solid" else role.dash,
-                meaning(role),
-            )
+    entries = [
+        Markup("<li{}>{}{}</li>").format(
+            _attribute(name, switched), stroke(name), meaning(ROLES[name])
         )
+        for name in roles
+    ]
     return Markup('<ul class="legend">{}</ul>').format(Markup("").join(entries))
 
 
@@ -162,6 +161,8 @@ def build() -> pn.Template:
         for key, roles in LEGENDS.items()
     }
     template.add_variable("legends", legends)
+    template.add_variable("stroke", stroke)
+    template.add_variable("marker_color", ROLES["marker"].color)
     template.add_variable("download", download)
     template.add_variable("formats", tuple(FORMATS))
     template.add_variable("looks", session.looks())

@@ -5,7 +5,6 @@ window.rotorstab.inspector = (() => {
   const every = (selector) => [...document.querySelectorAll(selector)];
   const BOUNDS = { seed: [0, 999], periods: [0, 400] };
   const NAMES = { seed: "The seed", periods: "The number of periods" };
-  const PIN_LOOKS = { 1: ["#7a6fd8", "3 3"], 2: ["#9a7b00", "7 3"], 3: ["#2f8f8f", "7 3 2 3"] };
   const values = {};
   let asked = false, painted = false;
 
@@ -35,12 +34,7 @@ window.rotorstab.inspector = (() => {
     return pair;
   });
 
-  function swatch(number) {
-    const holder = document.createElement("span");
-    const [colour, dash] = PIN_LOOKS[number];
-    holder.innerHTML = `<svg width="30" height="8" aria-hidden="true"><line x1="1" x2="29" y1="4" y2="4" stroke="${colour}" stroke-width="2" stroke-dasharray="${dash}"/></svg>`;
-    return holder.firstChild;
-  }
+  const swatch = (number) => one(".pin-strokes").content.children[number - 1].cloneNode(true);
 
   function showPins(pins) {
     const card = one(".pins");

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rotorstab import Scales
+from rotorstab.charts import written
 
 from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
 from ..state.address import PinnedInputs
@@ -21,19 +22,21 @@ __all__ = [
 ]
 
 Row = tuple[str, str]
+# name and, non-dimensional and in SI, symbol
 _NUMBERS = {
-    "buckling": "static buckling load p̄_cr",
-    "flutter": "flutter load, follower, at this spin",
-    "static_load": "static load p̄₀",
-    "fundamental": "natural frequency at rest ω_n",
+    "buckling": ("static buckling load", "p̄_cr", "P_cr"),
+    "flutter": ("flutter load, follower, at this spin", "", ""),
+    "static_load": ("static load", "p̄₀", "P₀"),
+    "fundamental": ("natural frequency at rest", "ω_n", "ω_n/2π"),
 }
+_DIGITS = 6
 _DAMPING = ("external_damping", "internal_damping")
 
 
 def _shown(value: Any) -> str:
     if value is None:
         return "none"
-    return f"{value:.6g}" if isinstance(value, float) else str(value)
+    return written(value, _DIGITS) if isinstance(value, float) else str(value)
 
 
 def _label(name: str) -> str:
@@ -104,28 +107,24 @@ def parameter_sentence(state: State) -> str:
 
 def number_rows(numbers: Mapping[str, Any], scales: Scales | None) -> list[Row]:
     """Return names and values of the key numbers, in SI with scales."""
-    if scales is None:
-        rows = [(label, _shown(numbers[name])) for name, label in _NUMBERS.items()]
-        shown, hertz = numbers, ""
-    else:
-        shown, hertz = key_numbers(scales, numbers), " [Hz]"
-        newtons = f" [{load_in(scales)[1]}]"
-        rows = [
-            (
-                # without the bar of the non-dimensional
-                label.replace("\u0304", "") + (hertz if name == "fundamental" else newtons),
-                _shown(shown[name]),
-            )
-            for name, label in _NUMBERS.items()
-        ]
+    shown = numbers if scales is None else key_numbers(scales, numbers)
+    rows = []
+    for key, (words, symbol, si_symbol) in _NUMBERS.items():
+        unit = ""
+        if scales is not None:
+            symbol = si_symbol
+            unit = "[Hz]" if key == "fundamental" else f"[{load_in(scales)[1]}]"
+        label = " ".join(filter(None, (words, symbol, unit)))
+        rows.append((label, _shown(shown[key])))
+    unit = "" if scales is None else " ω/2π [Hz]"
     for name, (real, imaginary) in shown["whirl"].items():
-        growth = ""
+        text = written(real, _DIGITS)
         if imaginary and scales is None:
-            growth = f" {imaginary:+.6g}j"
+            text += f" {'+' if imaginary > 0 else '−'} {written(abs(imaginary), _DIGITS)}j"
         elif imaginary:
-            word = "decays" if imaginary > 0 else "grows"
-            growth = f", {word} by {abs(imaginary):.6g} 1/s"
-        rows.append((f"whirl frequency {name}{hertz}", f"{real:.6g}{growth}"))
+            verb = "decays" if imaginary > 0 else "grows"
+            text += f", {verb} by {written(abs(imaginary), _DIGITS)} 1/s"
+        rows.append((f"whirl frequency {name}{unit}", text))
     return rows
 
 

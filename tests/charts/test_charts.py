@@ -19,6 +19,7 @@ from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
 from rotorstab.charts import ROLES
 from rotorstab.charts.columns import Lines, around_zero
 from rotorstab.charts.quantities import Quantity
+from rotorstab.charts.roles import STYLES
 from rotorstab.charts.structure import Chart, Layer
 from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
@@ -177,6 +178,42 @@ def test_roles_differ_by_more_than_colour():
         ("exact", "linear"),
     ):
         assert len({(ROLES[name].dash) for name in group}) == len(group), group
+
+
+def test_a_colour_has_one_meaning_on_the_first_page():
+    meanings = (
+        ("backward",),
+        ("forward",),
+        ("axial", "axial exact"),
+        ("follower", "follower exact"),
+        ("partly", "partly exact"),
+        ("edge", "growing", "envelope"),
+        ("current",),
+        ("marker", "tip V", "orbit"),
+        ("tip W",),
+        ("synchronous", "limit", "unit circle"),
+        ("pin 1",),
+        ("pin 2",),
+        ("pin 3",),
+    )
+    colours = [{ROLES[name].color for name in names} for names in meanings]
+    assert all(len(colour) == 1 for colour in colours)
+    assert len(set().union(*colours)) == len(colours)
+
+
+def _luminance(color):
+    values = np.array([int(color[at : at + 2], 16) for at in (1, 3, 5)]) / 255
+    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)  # WCAG 2.1
+
+
+@pytest.mark.parametrize("ground", ["#ffffff", "#171e27"], ids=["light", "dark"])
+def test_lines_have_a_contrast_of_three_on_both_grounds(ground):
+    for name, role in ROLES.items():
+        if name in STYLES:  # figures of the paper
+            continue
+        low, high = sorted((_luminance(role.color), _luminance(ground)))
+        assert (high + 0.05) / (low + 0.05) >= 3, name
 
 
 @pytest.mark.parametrize("key", CHARTS)

@@ -22,11 +22,13 @@ from .quantities import (
     Amount,
     Quantity,
 )
+from .roles import ROLES
 from .structure import Chart, Layer
 
 __all__ = ["chart_factors", "in_seconds", "in_si"]
 
 _TURN = 2 * math.pi
+_SI_MEANINGS = {role.meaning: role.si_meaning for role in ROLES.values() if role.si_meaning}
 
 
 @dataclass(frozen=True)
@@ -179,6 +181,8 @@ class _Converter:
                 else (wording.si_text or wording.text).format(*map(self._amount, wording.amounts))
                 for name, wording in zip(columns["name"], columns["wording"], strict=True)
             ]
+        if "group" in columns:
+            columns["group"] = [_SI_MEANINGS.get(group, group) for group in columns["group"]]
         return replace(layer, columns=columns)
 
     def _amount(self, amount: Amount) -> str:

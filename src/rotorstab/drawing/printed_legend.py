@@ -64,7 +64,7 @@ def _legend_entries(figure: Figure) -> tuple[list[Any], list[str]]:
             Line2D(
                 [],
                 [],
-                color=curve.look.print_color if is_line else color,
+                color=curve.look.color if is_line else color,
                 linestyle=DASHES[curve.style] if is_line else "",
                 marker="" if is_line else sign,
             )
@@ -83,7 +83,7 @@ def _area_entries(figure: Figure) -> list[tuple[str, str, float]]:
     """
     regions = [region for panel in figure.panels for region in panel.regions]
     if any(growth_bands(panel) is not None for panel in figure.panels):
-        bolotin = [(BOLOTIN, regions[0].look.print_color, 2 * PALE)] if regions else []
+        bolotin = [(BOLOTIN, regions[0].look.color, 2 * PALE)] if regions else []
         return [*bolotin, (FLOQUET, GROWTH_COLOURS[len(GROWTH_COLOURS) // 2], 1.0)]
     if not figure.has_floquet or not regions:
         return []
@@ -93,7 +93,7 @@ def _area_entries(figure: Figure) -> list[tuple[str, str, float]]:
         (BOLOTIN, regions, PALE, SHADE),
         (FLOQUET, outlines, FILL, 0.5),
     ):
-        colors = {area.look.print_color for area in areas}
+        colors = {area.look.color for area in areas}
         found.append((name, *((colors.pop(), opacity) if len(colors) == 1 else ("#444444", grey))))
     return found
 

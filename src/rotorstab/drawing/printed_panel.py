@@ -14,8 +14,9 @@ try:
 except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
-from ..charts import ROLES, Chart, Curve, Layer
+from ..charts import Chart, Curve, Layer
 from ..charts.figure import growth_bands
+from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
 from . import contours
 from .printed_growth import growth_hook
 from .typesetting import mathtext
@@ -36,18 +37,18 @@ PANEL_INCHES = (3.2, 2.6)
 
 
 _POINTS = {
-    "marked point": ("o", ROLES["marker"].print_color),
-    "multipliers": ("o", "#1f7fbf"),
-    "growing multipliers": ("^", "#d1480f"),
-    "minus one": ("X", "#a8518a"),
-    "start": ("o", ROLES["current"].print_color),
-    "end": ("s", ROLES["marker"].print_color),
+    "marked point": ("o", MARKED),
+    "multipliers": ("o", MARKED),
+    "growing multipliers": ("^", UNSTABLE),
+    "minus one": ("X", NEUTRAL),
+    "start": ("o", PRESENT),
+    "end": ("s", MARKED),
 }
 
 
 def point_look(point: Curve) -> tuple[str, str]:
     """Return the sign and the colour of a point, by its group; a diamond for any other."""
-    return _POINTS.get(point.group, ("D", point.look.print_color))
+    return _POINTS.get(point.group, ("D", point.look.color))
 
 
 def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
@@ -62,7 +63,7 @@ def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:
         axes = plot.handles["axis"]
         for group in dict.fromkeys(curve.group for curve in outlines):
             curves = [curve for curve in outlines if curve.group == group]
-            color, style = curves[0].look.print_color, curves[0].style
+            color, style = curves[0].look.color, curves[0].style
             shapes = [np.column_stack(curve.polygon) for curve in curves]
             edges = [half for shape in shapes for half in np.split(shape, [len(shape) // 2])]
             axes.add_collection(
@@ -86,7 +87,7 @@ def _regions(panel: Chart, opacity: float) -> list[hv.Element]:
     """Return Bolotin's regions."""
     return [
         hv.Polygons([{"x": region.x, "y": region.y}], ["x", "y"]).opts(
-            facecolor=hv.Cycle([region.look.print_color]),
+            facecolor=hv.Cycle([region.look.color]),
             edgecolor="none",
             alpha=opacity,
             backend="matplotlib",
@@ -104,7 +105,7 @@ def _edge_hook(bands: Layer) -> Callable[[Any, Any], None]:
         points = np.column_stack(contours.outline(bands))
         parts = np.split(points, np.flatnonzero(np.isnan(points[:, 0])))
         lines = [part[np.isfinite(part[:, 0])] for part in parts]
-        color = ROLES["edge"].print_color
+        color = UNSTABLE
         plot.handles["axis"].add_collection(
             LineCollection(lines, colors=color, linewidths=0.8, zorder=1.5), autolim=False
         )
@@ -119,7 +120,7 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
             linestyle=DASHES[line.style],
             linewidth=0.7 if thin else 1.3,
-            color=line.look.print_color,
+            color=line.look.color,
             alpha=0.5 if thin else 1.0,
             backend="matplotlib",
         )

@@ -179,7 +179,7 @@ def _add_own_legend(axes: Any, chart: Chart) -> None:
 
     looks = {line.group: line for line in chart.curves("lines")}
     handles = [
-        Line2D([], [], color=line.look.print_color, linestyle=DASHES[line.style])
+        Line2D([], [], color=line.look.color, linestyle=DASHES[line.style])
         for line in looks.values()
     ]
     axes.legend(

@@ -19,6 +19,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import ROLES, Chart, Layer
+from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
 from . import contours
 from .contours import GROWTH_COLOURS
 from .hooks import (
@@ -56,25 +57,25 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "foot": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
     "upright": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
 }
-_DIAMOND = {"marker": "diamond", "size": 10, "color": ROLES["current"].color, "line_color": "white"}
+_DIAMOND = {"marker": "diamond", "size": 10, "color": PRESENT, "line_color": "white"}
 # by the label of the layer; shape and filling tell what the colour tells
 POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
-    "multipliers": _DIAMOND | {"marker": "circle", "size": 11, "color": "#1f7fbf"},
-    "growing multipliers": _DIAMOND | {"marker": "triangle", "size": 14, "color": "#d1480f"},
+    "multipliers": _DIAMOND | {"marker": "circle", "size": 11, "color": MARKED},
+    "growing multipliers": _DIAMOND | {"marker": "triangle", "size": 14, "color": UNSTABLE},
     "minus one": {
         "marker": "x",
         "size": 14,
-        "color": "#a8518a",
-        "line_color": "#a8518a",
+        "color": NEUTRAL,
+        "line_color": NEUTRAL,
         "line_width": 3,
     },
     "start": _DIAMOND | {"marker": "circle", "size": 10},
-    "end": _DIAMOND | {"marker": "square", "size": 9, "color": "#c2255c"},
+    "end": _DIAMOND | {"marker": "square", "size": 9, "color": MARKED},
     "marker": {
         "marker": "circle_dot",
         "size": 16,
         "color": "white",
-        "line_color": "#c2255c",
+        "line_color": MARKED,
         "line_width": 3,
     },
 }

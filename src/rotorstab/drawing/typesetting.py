@@ -14,7 +14,7 @@ __all__ = ["finish_panel", "mathtext"]
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙₜ", "0123456789nt")
 _INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[DPdefinst])\b)?"  # as Unicode, or after an underscore
 _BARRED = re.compile("(.)\u0304" + _INDEX)
-_PLAIN = re.compile(r"([αβζμωIMPf])(?=[ₙₜ_])" + _INDEX)
+_PLAIN = re.compile(r"([αβζμωIMPf])(?=[₀ₙₜ_])" + _INDEX)
 _ROUNDING = 1e-9  # of a range
 _TONGUE = "tongue"  # label of the layer whose names stand out from the areas below them
 
