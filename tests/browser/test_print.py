@@ -38,7 +38,9 @@ def test_explore_is_printed_as_a_sheet_in_light_colours(open_page):
     page.evaluate("rotorstab.change('marker', true)")
     settle(page, "marker", True)
     page.evaluate("rotorstab.send({ type: 'pin', label: '' })")
+    before = page.evaluate("rotorstab.last.inspector.sentence")
     page.evaluate("rotorstab.change('spin_speed', 1.5)")
+    page.wait_for_function("(before) => rotorstab.last.inspector.sentence !== before", arg=before)
     values = settle(page, "spin_speed", 1.5)
     assert page.evaluate("document.documentElement.dataset.theme") == "dark"
     printed(page)

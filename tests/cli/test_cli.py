@@ -365,7 +365,7 @@ def test_a_file_for_which_there_is_no_room_is_named(tmp_path, monkeypatch, capsy
 
 @pytest.mark.parametrize(
     ("module", "missing"),
-    [("screen", "holoviews"), ("screen", "bokeh"), ("printed", "holoviews")],
+    [("screen", "holoviews"), ("contours", "bokeh"), ("printed", "holoviews")],
 )
 def test_drawing_without_the_extra_names_the_extra(module, missing):
     code = f"import sys; sys.modules['{missing}'] = None; import rotorstab.drawing.{module}"
