@@ -2,7 +2,7 @@
 
 import math
 import re
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import holoviews as hv
@@ -75,10 +75,15 @@ def test_labels_of_limits_stay_inside_and_apart(spin, stiffness):
     ]
     assert rows
     # a letter takes some 3 % of a phone's chart
-    for x, _, side, letters in rows:
-        if side.endswith("right"):
-            assert x + 0.03 * letters * (high - low) <= high
-    assert len({y for _, y, *_ in rows}) == len(rows)
+    boxes = []
+    for x, y, side, letters in rows:
+        width = 0.03 * letters * (high - low)
+        start = x if side.endswith("right") else x - width
+        assert low <= start <= start + width <= high
+        boxes.append((y, start, start + width))
+    boxes.sort()
+    for (line, _, end), (next_line, start, _) in pairwise(boxes):
+        assert next_line > line or start >= end
 
 
 @pytest.mark.parametrize("preset", [*PRESETS, None])

@@ -17,6 +17,9 @@ __all__ = ["campbell_chart", "load_frequency_chart"]
 
 
 _LEVEL = 0.14  # step between the labels of two limits, in heights of the chart
+_LETTER = 0.03  # width of a letter in a phone's chart, in widths of the chart
+_STEP = 0.1  # from the end of a curve to the label of a first mode, in widths of the chart
+_SIDES = {False: "left", True: "right"}
 
 
 def _span(curves: WhirlCurves) -> tuple[float, float]:
@@ -26,40 +29,48 @@ def _span(curves: WhirlCurves) -> tuple[float, float]:
     return float(real.min()), float(real.max())
 
 
-def _mode_labels(curves: WhirlCurves, index: int, side: str) -> list[tuple[float, float, str, str]]:
-    row = curves.frequencies[index]
+def _mode_labels(curves: WhirlCurves, side: str) -> list[tuple[float, float, str, str]]:
+    """Return a label for each mode near one end of its curve.
+
+    Names of forward whirl stand above their curves, of backward whirl below them. Those of the
+    second modes stand at the end and those of the first a step inside: 1B and 2B are near.
+    """
     low, high = _span(curves)
-    return [
-        # names of forward whirl stand above their curves, of backward whirl below them
-        (
-            float(curves.parameter[index]),
-            float(value.real),
-            name,
-            f"{'upper' if name.endswith('F') else 'lower'} {side}",
-        )
-        for value, name in zip(row, curves.names, strict=True)
-        if low <= value.real <= high
-    ]
+    steps = len(curves.parameter) - 1
+    rows = []
+    for column, (name, mode) in enumerate(zip(curves.names, modes(curves.names), strict=True)):
+        inside = round(_STEP * steps) if mode.number == 1 else 0
+        index = inside if side == "right" else steps - inside
+        value = float(curves.frequencies[index, column].real)
+        if low <= value <= high:
+            vertical = "upper" if name.endswith("F") else "lower"
+            rows.append((float(curves.parameter[index]), value, name, f"{vertical} {side}"))
+    return rows
 
 
 def _limit_labels(
     limits: Mapping[str, float], x_range: tuple[float, float], y_range: tuple[float, float]
 ) -> list[tuple[float, float, str, str]]:
-    """Return a label at the foot of each limit, inside the chart even on a phone.
+    """Return a label for each limit under the top of the chart, above all curves.
 
-    Each has a level of its own, for buckling and flutter loads may nearly coincide.
+    The smaller load has its label at its left and the larger one at its right, for buckling and
+    flutter loads may nearly coincide. A label that would leave the chart stands at the other side,
+    one line lower where it would meet the first.
     """
     (left, right), (bottom, top) = x_range, y_range
-    return [
-        (
-            load,
-            bottom + _LEVEL * level * (top - bottom),
-            name,
-            # a letter takes 3 % of a phone's chart
-            "upper right" if load < right - 0.03 * len(name) * (right - left) else "upper left",
+    rows: list[tuple[float, float, str, str]] = []
+    taken = left  # up to where the line at the top is used
+    for index, (name, load) in enumerate(sorted(limits.items(), key=lambda limit: limit[1])):
+        width = _LETTER * len(name) * (right - left)
+        last = index == len(limits) - 1
+        at_right = load + width <= right if last else load - width < taken
+        start = load if at_right else load - width
+        level = 0 if start >= taken else 1
+        rows.append(
+            (load, top - level * _LEVEL * (top - bottom), name, f"lower {_SIDES[at_right]}")
         )
-        for level, (name, load) in enumerate(limits.items())
-    ]
+        taken = start + width
+    return rows
 
 
 def load_frequency_chart(
@@ -91,7 +102,7 @@ def load_frequency_chart(
     for name, load in shown.items():
         wording = Wording(f"{name}, {{}}", (Amount(LOAD, load, 5),))
         marks.vertical(load, y_range, wording, "limit")
-    rows = _mode_labels(first, 0, "right") + _limit_labels(shown, x_range, y_range)
+    rows = _mode_labels(first, "right") + _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
@@ -152,6 +163,6 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
             Layer("lines", "whirl", lines.columns),
             Layer("lines", "marks", marks.columns),
             points_layer("critical speeds", points, "critical speed"),
-            Layer("labels", "mode", label_columns(_mode_labels(curves, -1, "left"))),
+            Layer("labels", "mode", label_columns(_mode_labels(curves, "left"))),
         ),
     )
