@@ -13,12 +13,12 @@ from bokeh.plotting import figure
 
 from app.live.chart import LiveChart
 from app.state import State
-from benchmarks.redraw.moves import MAP, SLIDERS, charts, drag, moving_columns, values
+from benchmarks.redraw.moves import FLOQUET, SLIDERS, charts, drag, moving_columns, values
 from rotorstab.drawing import screen
 
 COUNT = int(os.environ["FLOOR_COUNT"])
 SIZES = json.loads(os.environ["FLOOR_SIZES"])
-WITHOUT = () if os.environ.get("FLOOR_MAP", "1") == "1" else MAP
+WITHOUT = () if os.environ.get("FLOOR_FLOQUET", "1") == "1" else FLOQUET
 DRAGGED = os.environ.get("FLOOR_DRAGGED", "1") == "1"
 
 figures, sources = {}, {}

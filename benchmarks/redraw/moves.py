@@ -6,13 +6,16 @@ from functools import lru_cache
 import numpy as np
 
 from app.live.chart import _same
-from app.results.analysis import solve
+from app.pages.base import Stage
+from app.pages.explore import Explore
+from app.results.default_marker import place_marker
 from app.results.limits import Detail
 from app.state import State
 from rotorstab.drawing import screen
 
 SLIDERS = ("static_load_factor", "spin_speed", "shear")
-MAP = ("growth", "disagreement")  # layers that a page without Floquet's map lacks
+# layers that a page without Floquet's answer lacks
+FLOQUET = ("growth", "disagreement", "unstable", "tongue edge", "thin tongue", "tongue")
 RATE = 60  # events/s of a drag
 SECONDS = 2
 
@@ -37,19 +40,22 @@ def drag(slider, place=0):
 
 
 @lru_cache(maxsize=2048)
-def charts(slider=None, value=None, without=()):
-    """Return the charts, as while a slider moves, for the base case with one value changed.
+def charts(slider=None, value=None, without=(), detail=Detail.COARSE):
+    """Return all charts of the page Explore for the default settings with one value changed.
 
-    Some layers may be left out.
+    They are those of a slider that moves, or with `Detail.REFINED` those at rest. Some layers may
+    be left out.
     """
     state = State()
     if slider:
         errors = state.change({slider: value})
         assert not errors, errors
-    made = solve(state, Detail.COARSE).charts
+    place_marker(state)
+    page = Explore()
+    page.stage = Stage.COMPLETE
     return {
         key: replace(chart, layers=tuple(one for one in chart.layers if one.label not in without))
-        for key, chart in made.items()
+        for key, chart in page.compute(state, detail).items()
     }
 
 
@@ -82,7 +88,7 @@ def probe(chart):
     return total
 
 
-def probes(slider, value, without=()):
+def probes(slider, value, without=(), detail=Detail.COARSE):
     """Return the probe of every chart by its key."""
-    made = charts(slider, value, without)
+    made = charts(slider, value, without, detail)
     return {key: probe(chart) for key, chart in made.items()}

@@ -27,17 +27,11 @@ window.bench = (() => {
     return total;
   }
 
-  // of the largest image that a figure shows
-  function pixels(view) {
-    const images = view.model.renderers.flatMap((one) => one.data_source.data.image ?? []);
-    return Math.max(0, ...images.map((image) => image.length));
-  }
-
   for (const view of views) {
     const paint = view._actual_paint;
     view._actual_paint = function (...rest) {
       const result = paint.apply(this, rest);
-      bench.paints.push({ time: performance.now(), key: view.model.name, probe: probe(view), pixels: pixels(view) });
+      bench.paints.push({ time: performance.now(), key: view.model.name, probe: probe(view) });
       return result;
     };
   }
@@ -83,16 +77,8 @@ window.bench = (() => {
     return (await wait(wanted, bench.start)) - bench.start;
   };
 
-  // the full map of the last move, painted after the coarse one, from the input event
-  bench.rest = async () => {
-    const coarse = bench.paints.findLast((one) => one.pixels > 0);
-    while (true) {
-      const full = bench.paints.find((one) => one.time > coarse.time && one.pixels > 2 * coarse.pixels);
-      if (full) return full.time - bench.start;
-      if (performance.now() - bench.start > 30000) throw new Error("the full map was not painted");
-      await idle(4);
-    }
-  };
+  // the full picture of the last move, painted after the one of the moving slider, from the input event
+  bench.rest = async (wanted) => (await wait(wanted, bench.start)) - bench.start;
 
   bench.drag = async ({ slider, steps, rate, wanted }) => {
     const set = find(slider);
