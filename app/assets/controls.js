@@ -16,6 +16,7 @@ export function render({ model, el }) {
     }
     if (data.values) {
       state.values = data.values;
+      form.dataset.page = data.page;
       for (const [row, name, value] of conditional) row.hidden = data.values[name] !== value;
     }
     if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) row.units?.(data.si?.inputs[name]);
@@ -238,6 +239,7 @@ export function render({ model, el }) {
       : node("div", { class: "main" });
     for (const field of group.fields) {
       const row = field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field);
+      row.dataset.input = field.name;
       if (field.only_with) conditional.push([row, ...field.only_with]);
       if (!group.title) main.set(field.name, row);
       set.append(row);

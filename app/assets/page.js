@@ -228,11 +228,12 @@
     else unit.textContent = growth_unit === "per period" ? "σ̄T" : "σ̄";
   }
 
-  function showErrors(rows) {
-    rows.forEach((row, index) => {
-      const cells = document.querySelectorAll(`[data-error-row="${index}"] td`);
-      row.forEach((value, column) => { cells[column].textContent = value === null ? "—" : number(value); });
-    });
+  // a row of the answer holds the loads of one coefficient; in the table it is a column
+  function showErrors(coefficients) {
+    coefficients.forEach((loads, column) => loads.forEach((value, row) => {
+      const cells = document.querySelectorAll(`[data-error="${row}"]`);
+      cells[column].textContent = value === null ? "—" : number(value, 4);
+    }));
   }
 
   // -- pages: the hash of the address names the visible page -------------------------

@@ -1,4 +1,4 @@
-"""Stiffness: exact against linear influence coefficients (Figs 2 and 3, for any Φ and μ)."""
+"""Stiffness: exact against linear influence coefficients, for any Φ and μ and up to the pole."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import numpy as np
 
 from rotorstab.charts import Chart
 
+from ..live.chart import LiveChart
+from ..live.low import make_low
 from ..results.comparisons import error_table, stiffness_comparison
 from ..results.limits import Detail
 from ..state import State
@@ -26,6 +28,11 @@ class Stiffness(Page):
     def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
         """Return the five charts."""
         return stiffness_comparison(state.shear, state.effective_tangency())
+
+    def built(self, key: str, chart: LiveChart) -> None:
+        """Leave the height of a chart to its curves: the page gives each one its place."""
+        chart.figure.min_height = None
+        make_low(chart.figure)
 
     def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return the table of loads at which an error level is reached; null where none is."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotorstab import critical_load, paper
+from rotorstab import paper
 from rotorstab.charts import Chart, error_loads, stiffness_charts
 from rotorstab.paper import FIGURES, FLOQUET_FIGURES, Figure
 
@@ -19,12 +19,8 @@ __all__ = [
 
 @shared_cache(128)
 def stiffness_comparison(shear: float, tangency: float) -> dict[str, Chart]:
-    """Return the charts of exact against linear coefficients by key.
-
-    The load range is the paper's: ±p̄_cr axial, ±12.3 follower, in between by μ.
-    """
-    reach = float(critical_load(shear)) * (1 + tangency * 4.2)
-    return {chart.key: chart for chart in stiffness_charts(shear, tangency, (-reach, reach))}
+    """Return the charts of exact against linear coefficients by key, up to the pole."""
+    return {chart.key: chart for chart in stiffness_charts(shear, tangency)}
 
 
 @shared_cache(128)

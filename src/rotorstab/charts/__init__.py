@@ -11,7 +11,7 @@ from .numbers import LOAD_UNITS, load_unit, written
 from .point import marker_layer, multiplier_chart, orbit_chart, pair_layers, response_chart
 from .roles import ROLES, Role
 from .si import chart_factors, in_seconds, in_si
-from .stiffness import error_loads, stiffness_charts
+from .stiffness import error_loads, stiffness_charts, stiffness_loads
 from .structure import Chart, Curve, Layer
 from .tongues import GrowthGrid, fitted_top, with_top
 from .whirl import campbell_chart, load_frequency_chart
@@ -42,6 +42,7 @@ __all__ = [
     "pair_layers",
     "response_chart",
     "stiffness_charts",
+    "stiffness_loads",
     "with_top",
     "written",
 ]
