@@ -121,13 +121,16 @@ class Session:
             reply, content = Reply(), {"told": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
         at_rest = kind not in ("change", "window")
-        full = at_rest or self._only_the_point_moves(message)
+        full = at_rest or self._leaves_the_map(message)
         return {**self.redraw(full), **content, **self._describe(reply.errors, at_rest)}
 
-    def _only_the_point_moves(self, message: Mapping[str, Any]) -> bool:
-        """Whether a change leaves the map as it is, so that the full one can stay in view."""
-        moved = set(message.get("values", ()))
-        return moved <= _POINT_INPUTS and self.pages[self.active].awaited(self.state) is None
+    def _leaves_the_map(self, message: Mapping[str, Any]) -> bool:
+        """Whether a message leaves the map as it is, so that the full one can stay in view."""
+        if message.get("type") == "window":
+            same = message.get("chart") != "instability"
+        else:
+            same = set(message.get("values", ())) <= _POINT_INPUTS
+        return same and self.pages[self.active].awaited(self.state) is None
 
     def _is_waiting(self) -> bool:
         """Whether the browser has all but the full picture, which is still being made."""

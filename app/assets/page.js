@@ -39,7 +39,8 @@
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
               break;
             case "Figure":
-              if (model.name === "instability") { veilNames(model, quiet); watchWindow(model); }
+              if (model.name === "instability") veilNames(model, quiet);
+              if (ZOOMED.includes(model.name)) watchWindow(model);
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
@@ -53,16 +54,16 @@
 
   page.paintCharts = paintCharts;
 
-  // -- zoom: the server computes the part of the instability chart that is seen, once the last part has been sent ----
-  const WAIT = 120; // ms between two messages while the chart is zoomed or moved
+  // -- zoom: the server computes the part of a chart that is seen, once the last part has been sent ----
+  const ZOOMED = ["instability", "load-frequency", "campbell"];
+  const WAIT = 120; // ms between two messages while a chart is zoomed or moved
   const watched = new WeakSet();
-  let sent = 0, waiting = 0, settling = 0;
+  let settling = 0;
 
   function tellWindow(figure) {
     const factors = page.last?.si?.factors?.[figure.name] ?? [1, 1];
     const [left, right] = [figure.x_range.start, figure.x_range.end].map((end) => end / factors[0]);
     const [low, high] = [figure.y_range.start, figure.y_range.end].map((end) => end / factors[1]);
-    sent = Date.now();
     page.send({ type: "window", chart: figure.name, left, right, low, high });
     clearTimeout(settling);
     settling = setTimeout(() => page.send({ type: "settle" }), 2 * WAIT);
@@ -71,9 +72,11 @@
   function watchWindow(figure) {
     if (watched.has(figure)) return;
     watched.add(figure);
+    let sent = 0, waiting = 0;
+    const tell = () => { sent = Date.now(); tellWindow(figure); };
     const moved = () => {
       clearTimeout(waiting);
-      waiting = setTimeout(() => tellWindow(figure), Math.max(0, sent + WAIT - Date.now()));
+      waiting = setTimeout(tell, Math.max(0, sent + WAIT - Date.now()));
     };
     for (const range of [figure.x_range, figure.y_range]) range.change.connect(moved);
   }

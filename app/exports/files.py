@@ -33,7 +33,7 @@ from ..words.refusals import user_message
 from ..words.si import named_inputs
 from .report import page_address, report_html, report_paragraphs, view_link
 from .rows import parameter_sentence
-from .seen import as_seen, zooms
+from .seen import as_seen, cut, zooms
 
 __all__ = [
     "Files",
@@ -211,6 +211,8 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str, link: str) ->
             return Reply({"told": "no such chart"})
         if kind in PICTURE_FORMATS:
             drawn = as_seen({chart: drawn}, page, state, seen)[chart]
+        else:
+            drawn = cut(drawn)
         parameters = named_inputs(state.inputs())
         figure = chart_figure(drawn, parameters, parameter_sentence(state), link)
         cache_key = (chart, link, seen[chart], *state.inputs().values(), *page.cache_key())

@@ -10,9 +10,10 @@ from rotorstab.charts import Chart
 
 from ..live.chart import Zoom
 from ..pages.base import Page
+from ..results.whirl_charts import WHIRL_CHARTS
 from ..state import State
 
-__all__ = ["as_seen", "zooms"]
+__all__ = ["as_seen", "cut", "zooms"]
 
 
 def zooms(page: Page) -> dict[str, Zoom]:
@@ -36,6 +37,26 @@ def as_seen(
     """
     hidden = {label for label, on in page.visible(state).items() if not on}
     return {key: _shown(chart, seen.get(key, Zoom()), hidden) for key, chart in charts.items()}
+
+
+def cut(chart: Chart) -> Chart:
+    """Return a chart of whirl curves with their samples in its window only, for a table.
+
+    The page has some more, so that a chart that is moved shows them at once.
+    """
+    if chart.key not in WHIRL_CHARTS:
+        return chart
+    low, high = chart.x_range
+    layers = []
+    for layer in chart.layers:
+        columns = dict(layer.columns)
+        if layer.kind == "lines":
+            inside = [(x >= low) & (x <= high) for x in columns["xs"]]
+            for axis in ("xs", "ys"):
+                rows = zip(columns[axis], inside, strict=True)
+                columns[axis] = [values[kept] for values, kept in rows]
+        layers.append(replace(layer, columns=columns))
+    return replace(chart, layers=tuple(layers))
 
 
 def _shown(chart: Chart, zoom: Zoom, hidden: set[str]) -> Chart:

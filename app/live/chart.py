@@ -16,6 +16,7 @@ from bokeh.models import ColorBar, HoverTool, Range1d
 from rotorstab.charts import Chart, Layer
 from rotorstab.drawing import screen
 
+from ..results.views import NARROWEST, View
 from .drawing import draw
 from .overlay import overlay
 
@@ -136,6 +137,14 @@ class LiveChart:
             ends = bokeh_range.start, bokeh_range.end
             zoomed[axis] = None if ends == wanted else ends
         return Zoom(**zoomed)
+
+    def keep_within(self, bounds: View) -> None:
+        """Let a zoom show no more than the bounds, and no less than what has meaning."""
+        for axis, (low, high) in (("x", bounds.x), ("y", bounds.y)):
+            bokeh_range = self._ranges[axis][0]
+            if bokeh_range.bounds != (low, high):
+                # a little more than the least: a zoom to the limit is a view, too
+                bokeh_range.update(bounds=(low, high), min_interval=2 * NARROWEST * (high - low))
 
     def reset_view(self) -> None:
         """Return to the chart's own ranges."""

@@ -17,6 +17,7 @@ from rotorstab.charts import Chart
 from ..live.chart import LiveChart
 from ..results.growth_maps import keep
 from ..results.limits import Detail
+from ..results.views import Frame
 from ..results.window import Window, floquet_map
 from ..state import State
 from ..state.address import PinnedInputs
@@ -158,19 +159,19 @@ class Page:
         """Return by label whether the user has switched a layer on."""
         return {}
 
-    def homes(self, state: State) -> dict[str, tuple[tuple[float, float], tuple[float, float]]]:
-        """Return the ranges without a zoom of the charts that may show a part of them."""
+    def frames(self, state: State) -> dict[str, Frame]:
+        """Return the ranges of the charts that may show a part of themselves."""
         return {}
 
     def show(self, state: State, detail: Detail = Detail.REFINED) -> None:
         """Build the charts on the first call, patch them on every later one."""
         charts = self.compute(state, detail)
-        homes = self.homes(state) if charts else {}
+        frames = self.frames(state) if charts else {}
         for key, seen in charts.items():
-            # a zoom is the browser's: the chart keeps the ranges to which a reset returns
-            chart = seen
-            if key in homes:
-                chart = replace(seen, x_range=homes[key][0], y_range=homes[key][1])
+            chart, frame = seen, frames.get(key)
+            if frame is not None:
+                # a zoom is the browser's: the chart keeps the ranges to which a reset returns
+                chart = replace(seen, x_range=frame.home.x, y_range=frame.home.y)
             if key in self.charts:
                 self.charts[key].show(chart)
             else:
@@ -178,6 +179,8 @@ class Page:
                 # before Panel copies the sizes of the figure
                 self.built(key, live)
                 self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
+            if frame is not None:
+                self.charts[key].keep_within(frame.bounds)
             self.charts[key].set_visible(self.visible(state))
 
     def built(self, key: str, chart: LiveChart) -> None:

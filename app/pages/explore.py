@@ -20,7 +20,9 @@ from ..results.analysis import CHARTS, Result, home_view, solve, window_of
 from ..results.curves import load_cases
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
-from ..results.views import View, view_of
+from ..results.operation import operation_of
+from ..results.views import Frame, View, view_of
+from ..results.whirl_charts import WHIRL_CHARTS, whirl_bounds, whirl_chart
 from ..results.window import Window
 from ..state import SYMBOLS, State
 from ..state.address import MOST_PINS, PinnedInputs
@@ -36,13 +38,13 @@ from .pins import Pin, differences, pin, solve_pin, with_pins
 __all__ = ["Explore"]
 
 _LOG = logging.getLogger("rotorstab.app")
-VIEW_BOUNDS = (
-    *State.param["lowest_frequency"].bounds[:1],
-    *State.param["highest_frequency"].bounds[1:],
+BOUNDS = View(
+    State.param["lowest_frequency"].bounds[0],
+    State.param["highest_frequency"].bounds[1],
     0.0,
-    *State.param["largest_factor"].bounds[1:],
+    State.param["largest_factor"].bounds[1],
 )
-"""Smallest and largest θ/ω_n and β_d that a zoom may show."""
+"""The largest part of the instability chart that a zoom may show."""
 
 
 class Explore(Page):
@@ -59,7 +61,7 @@ class Explore(Page):
         self._unsolved_pins: list[PinnedInputs] = []  # of the address
         # the last inspection, and what it was made of
         self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
-        self.view: View | None = None  # the part of the instability chart that a zoom shows
+        self.views: Mapping[str, View] = {}  # the part that a zoom shows, by the key of the chart
         self.fitted: dict[str, float] = {}  # upper ends of the colours that the user has asked for
 
     @classmethod
@@ -75,7 +77,9 @@ class Explore(Page):
         """Return the three charts, and those of the marked point once there is time for them."""
         result = solve(state, detail, self.view)
         marked = state.marker and self.stage is Stage.COMPLETE
-        charts = with_marks(result.charts, state, result) if marked else result.charts
+        charts = result.charts | self._zoomed(state)
+        if marked:
+            charts = with_marks(charts, state, result)
         top = self.fitted.get(state.growth_unit)
         if top is not None:
             charts = charts | {"instability": with_top(charts["instability"], top)}
@@ -85,6 +89,20 @@ class Explore(Page):
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
         return charts
+
+    @property
+    def view(self) -> View | None:
+        """The part of the instability chart that a zoom shows."""
+        return self.views.get("instability")
+
+    def _zoomed(self, state: State) -> dict[str, Chart]:
+        """Return the other charts in which the user has zoomed, of the part that is seen."""
+        operation = operation_of(state)
+        return {
+            key: whirl_chart(key, operation, state.stiffness, view)
+            for key, view in self.views.items()
+            if key in WHIRL_CHARTS
+        }
 
     def awaited(self, state: State) -> Window | None:
         """Return the window of the growth map until its refined map is there."""
@@ -97,7 +115,7 @@ class Explore(Page):
     def cache_key(self) -> tuple[Any, ...]:
         """Return names, numbers and inputs of the pins, and the scales of the colours."""
         pins = ((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
-        return *pins, *self.fitted.items(), self.view
+        return *pins, *self.fitted.items(), *self.views.items()
 
     def _inspect(self, state: State, result: Result) -> Inspection | str:
         """Return the inspection of the marked point, or the reason why there is none.
@@ -128,22 +146,35 @@ class Explore(Page):
             "boundary name": state.show_bolotin,
         }
 
-    def homes(self, state: State) -> dict[str, tuple[tuple[float, float], tuple[float, float]]]:
-        """Return the ranges that the instability chart has without a zoom."""
-        home = home_view(state.inputs())
-        x, y = 1.0, 1.0
+    def frames(self, state: State) -> dict[str, Frame]:
+        """Return the ranges of the charts, in the units that the user chose."""
+        result = solve(state, Detail.COARSE, self.view)
+        frames = self._frames(state, result)
         scales = shown_scales(state)
-        if scales is not None:
-            numbers = solve(state, Detail.COARSE, self.view).numbers
-            x, y = chart_factors(
-                "instability", scales, numbers["fundamental"], numbers["reference"]
+        if scales is None:
+            return frames
+        numbers = result.numbers
+        return {
+            key: frame.scaled(
+                *chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
             )
-        return {"instability": ((home.left * x, home.right * x), (home.low * y, home.high * y))}
+            for key, frame in frames.items()
+        }
+
+    def _frames(self, state: State, result: Result) -> dict[str, Frame]:
+        """Return the non-dimensional ranges of the charts."""
+        operation = operation_of(state)
+        frames = {"instability": Frame(home_view(state.inputs()), BOUNDS)}
+        for key in WHIRL_CHARTS:
+            whole = result.charts[key]
+            home = View(*whole.x_range, *whole.y_range)
+            frames[key] = Frame(home, whirl_bounds(whole, operation))
+        return frames
 
     def reset_view(self) -> None:
         """Undo every zoom."""
         super().reset_view()
-        self.view = None
+        self.views = {}
 
     def built(self, key: str, chart: LiveChart) -> None:
         """Fit a chart into its place; a click on the instability chart places the marker."""
@@ -166,8 +197,7 @@ class Explore(Page):
         if kind == "unpin":
             self.pins = [pin for pin in self.pins if pin.number != message.get("number")]
         elif kind == "window":
-            if message.get("chart") == "instability":
-                self.view = view_of(message, VIEW_BOUNDS, home_view(state.inputs()))
+            self._see(message, state)
         elif kind == "colours":
             self._fit_colours(message.get("fit") is True, state)
         elif kind == "use_shaft":
@@ -177,6 +207,19 @@ class Explore(Page):
         elif kind == "save_rotor_file":
             return _save_rotor_file(state)
         return Reply()
+
+    def _see(self, message: Mapping[str, Any], state: State) -> None:
+        """Note which part of a chart a zoom shows."""
+        key = message.get("chart")
+        if key not in CHARTS:
+            return
+        try:
+            frame = self._frames(state, solve(state, Detail.COARSE, self.view))[key]
+        except ValueError:  # these inputs have no charts, and `compute` tells the user why
+            return
+        view = view_of(message, frame)
+        views = {other: seen for other, seen in self.views.items() if other != key}
+        self.views = views if view is None else {**views, key: view}
 
     def _fit_colours(self, fit: bool, state: State) -> None:
         """Fit the colours to the growth in the chart, or give them their usual scale again."""

@@ -12,24 +12,19 @@ from typing import Any
 
 import numpy as np
 
-from rotorstab import ResonanceTable, bolotin_chart, critical_speeds, resonances
-from rotorstab.charts import (
-    Chart,
-    GrowthGrid,
-    campbell_chart,
-    instability_chart,
-    load_frequency_chart,
-)
+from rotorstab import ResonanceTable, bolotin_chart, resonances
+from rotorstab.charts import Chart, GrowthGrid, instability_chart
 
 from ..reading.user_error import UserError
 from ..state import State, Use, names_for
 from .caches import shared_cache
-from .curves import campbell, flutter, load_cases, load_curves, whirl_numbers
+from .curves import flutter, whirl_numbers
 from .floquet_answer import TABLE_FACTOR, FloquetAnswer, floquet_answer
 from .growth_maps import known_map
 from .limits import Detail
 from .operation import Operation, operation_of
 from .views import View
+from .whirl_charts import WHIRL_CHARTS, whirl_chart
 from .window import FloquetMap, Window
 
 __all__ = [
@@ -41,7 +36,7 @@ __all__ = [
     "window_of",
 ]
 
-CHARTS = ("instability", "load-frequency", "campbell")
+CHARTS = ("instability", *WHIRL_CHARTS)
 BOUNDARY_ROWS, MOST_BOUNDARY_ROWS = 120, 1200  # loads at which Bolotin's boundaries are computed
 GROWTH_TOPS = {"per time": 0.2, "per period": 1.0}
 """Growth σ̄ or σ̄T at the upper end of the colours; faster growth has the last colour. They suit the
@@ -122,11 +117,9 @@ def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None
     seen = view or home_view(inputs)
     table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
     ends_at = (system.largest_load - static) / reference
-    curves = campbell(operation.model, operation.tangency, static)
     charts = (
         _instability_chart(inputs, made, table, ends_at, seen),
-        _load_frequency_chart(operation, inputs["stiffness"]),
-        campbell_chart(curves, operation.spin_speed, critical_speeds(system, static)),
+        *(whirl_chart(key, operation, inputs["stiffness"]) for key in WHIRL_CHARTS),
     )
     return Result(
         charts={chart.key: chart for chart in charts},
@@ -182,19 +175,6 @@ def _instability_chart(
     )
 
 
-def _load_frequency_chart(operation: Operation, stiffness: str) -> Chart:
-    model, spin = operation.model, operation.spin_speed
-    curves = load_curves(model, spin, operation.tangency, stiffness)
-    cases = load_cases(model.kind, operation.tangency, stiffness)
-    # the flutter load is that of the linear law, whatever law the curves are of
-    has_exact = any(case.law == "exact" for case in cases)
-    limits = {
-        "buckling": operation.buckling_load,
-        "flutter, linear" if has_exact else "flutter": flutter(model.rotor, spin),
-    }
-    return load_frequency_chart(curves, operation.static_load, limits)
-
-
 def _key_numbers(operation: Operation) -> dict[str, Any]:
     """Return the key numbers of the page, non-dimensional; `Result` says which."""
     rotor = operation.model.rotor
@@ -231,7 +211,7 @@ def solve(state: State, detail: Detail = Detail.REFINED, view: View | None = Non
     detail : Detail
         Of the growth map; coarse while sliders move.
     view : View, optional
-        The part of the instability chart that a zoom shows.
+        The part of the instability chart that a zoom shows; the other charts are whole.
 
     Raises
     ------

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotorstab import (
     STIFFNESS_LAWS,
@@ -19,6 +23,7 @@ from rotorstab import (
     grows_or_decays,
     load_frequency_curves,
     lumped,
+    whirl_frequencies,
 )
 from rotorstab._tolerances import CURVES_SHORT_OF_POLE, FLUTTER_IN_VIEW
 from rotorstab.model.stiffness import largest_exact_load
@@ -28,6 +33,8 @@ from ..reading.user_error import UserError
 from ..state import State
 from .caches import shared_cache
 from .model import Model
+from .sampling import samples, seen_part
+from .views import View
 
 __all__ = [
     "LARGEST_SPEED",
@@ -37,12 +44,15 @@ __all__ = [
     "campbell",
     "curves_name",
     "flutter",
+    "largest_load",
     "load_cases",
     "load_curves",
     "reference_load",
     "rotor_numbers",
     "whirl_numbers",
 ]
+
+Floats = NDArray[np.float64]
 
 LOADS = 400  # points of a load–frequency curve
 SPEEDS = 200  # points of a Campbell diagram
@@ -86,6 +96,11 @@ def flutter(rotor: ShaftDisk, spin_speed: float) -> float:
     return flutter_load(lumped(rotor, spin_speed, 1.0), float(largest_exact_load(rotor.shear)))
 
 
+def largest_load(rotor: ShaftDisk) -> float:
+    """Return the largest load of the load–frequency curves, short of the pole."""
+    return (1 - CURVES_SHORT_OF_POLE) * float(largest_exact_load(rotor.shear))
+
+
 def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     """Return the load axis: from tension to beyond buckling, and flutter if that is not too far."""
     buckling = rotor_numbers(rotor)[0]
@@ -94,7 +109,7 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     far = max(1.6 * buckling, 1.2 * at if at < (1 - FLUTTER_IN_VIEW) * pole else 0.0)
     step = 0.5
     low = -step * np.ceil(buckling / step)
-    high = min(step * np.ceil(far / step), (1 - CURVES_SHORT_OF_POLE) * pole)
+    high = min(step * np.ceil(far / step), largest_load(rotor))
     return np.linspace(low, high, LOADS)
 
 
@@ -149,21 +164,50 @@ def load_cases(model: str, tangency: float, stiffness: str) -> list[LoadCase]:
 
 @shared_cache(128)
 def load_curves(
-    model: Model, spin_speed: float, tangency: float, stiffness: str
+    model: Model, spin_speed: float, tangency: float, stiffness: str, seen: View | None = None
 ) -> dict[str, WhirlCurves]:
-    """Return whirl over steady load by the names of `load_cases`."""
+    """Return whirl over steady load by the names of `load_cases`, of the part that is seen."""
     loads = _loads(model.rotor, spin_speed)
-    return {
-        case.name: load_frequency_curves(model.system(spin_speed, case.tangency, case.law), loads)
-        for case in load_cases(model.kind, tangency, stiffness)
-    }
+    if seen is not None:
+        # no curve goes beyond this load, which moves with the rotor while a zoom stays
+        seen = replace(seen, right=min(seen.right, largest_load(model.rotor)))
+    found = {}
+    for case in load_cases(model.kind, tangency, stiffness):
+        system = model.system(spin_speed, case.tangency, case.law)
+        found[case.name] = _followed(
+            partial(load_frequency_curves, system), partial(whirl_frequencies, system), loads, seen
+        )
+    return found
 
 
 @shared_cache(128)
-def campbell(model: Model, tangency: float, load: float) -> WhirlCurves:
-    """Return whirl over spin speed at a steady load [EI/L²]."""
+def campbell(model: Model, tangency: float, load: float, seen: View | None = None) -> WhirlCurves:
+    """Return whirl over spin speed at a steady load [EI/L²], of the part that is seen."""
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
-    return campbell_diagram(model.system(0.0, tangency), speeds, load)
+    system = model.system(0.0, tangency)
+    return _followed(
+        lambda speeds: campbell_diagram(system, speeds, load),
+        lambda speeds: whirl_frequencies(system.at_speed(speeds), load),
+        speeds,
+        seen,
+    )
+
+
+def _followed(
+    curves: Callable[[Floats], WhirlCurves],
+    frequencies: Callable[[Floats], NDArray[np.complex128]],
+    whole: Floats,
+    seen: View | None,
+) -> WhirlCurves:
+    """Return curves over the whole axis, or those of the part that is seen.
+
+    The modes of a part are followed and named over the whole axis, too.
+    """
+    if seen is None or seen.right <= seen.left:
+        return curves(whole)
+    found = curves(samples(lambda at: frequencies(at).real, whole, seen))
+    part = seen_part(found.parameter, seen)
+    return replace(found, parameter=found.parameter[part], frequencies=found.frequencies[part])
 
 
 def whirl_numbers(system: System, load: float) -> dict[str, list[float]]:

@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["View", "view_of"]
+__all__ = ["NARROWEST", "Frame", "View", "view_of"]
 
-_NARROWEST = 1e-4  # part of the bounds: a narrower view shows rounding
+NARROWEST = 1e-4
+"""Least part of the bounds that a view shows: a narrower one shows rounding."""
 
 
 @dataclass(frozen=True)
@@ -26,36 +27,66 @@ class View:
     low: float
     high: float
 
+    @property
+    def x(self) -> tuple[float, float]:
+        """The range of the abscissa."""
+        return self.left, self.right
 
-def view_of(
-    message: Mapping[str, Any], bounds: tuple[float, float, float, float], home: View
-) -> View | None:
-    """Return the view that a message tells, within some bounds.
+    @property
+    def y(self) -> tuple[float, float]:
+        """The range of the ordinate."""
+        return self.low, self.high
+
+    def scaled(self, x: float, y: float) -> View:
+        """Return the same ranges in other units, of which one is `x` or `y` of the new ones."""
+        return View(self.left * x, self.right * x, self.low * y, self.high * y)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The ranges of a chart that may show a part of itself.
+
+    Parameters
+    ----------
+    home : View
+        What it shows without a zoom.
+    bounds : View
+        The most that a zoom may show.
+    """
+
+    home: View
+    bounds: View
+
+    def scaled(self, x: float, y: float) -> Frame:
+        """Return the same ranges in other units."""
+        return Frame(self.home.scaled(x, y), self.bounds.scaled(x, y))
+
+
+def view_of(message: Mapping[str, Any], frame: Frame) -> View | None:
+    """Return the view that a message tells, within the bounds of the chart.
 
     Parameters
     ----------
     message : mapping
         With numbers "left", "right", "low" and "high". It may be forged.
-    bounds : (float, float, float, float)
-        Smallest and largest abscissa, smallest and largest ordinate.
-    home : View
-        What the chart shows without a zoom.
+    frame : Frame
 
     Returns
     -------
     View or None
-        None where the message tells no range, one outside of the bounds, or all of `home`.
+        None where the message tells no range, one outside of the bounds, or all of the chart.
     """
-    ends = []
+    home, bounds = frame.home, frame.bounds
+    ends: list[float] = []
     for names, (low, high), usual in (
-        (("left", "right"), bounds[:2], (home.left, home.right)),
-        (("low", "high"), bounds[2:], (home.low, home.high)),
+        (("left", "right"), bounds.x, home.x),
+        (("low", "high"), bounds.y, home.y),
     ):
         values = [message.get(name) for name in names]
         if not all(type(value) in (int, float) for value in values):
             return None
         first, last = (float(value) for value in values)  # type: ignore[arg-type]
-        least = _NARROWEST * (high - low)
+        least = NARROWEST * (high - low)
         if not (math.isfinite(first) and math.isfinite(last)):
             return None
         if max(abs(first - usual[0]), abs(last - usual[1])) < least:

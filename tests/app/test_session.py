@@ -470,23 +470,58 @@ def test_a_zoom_computes_what_is_seen(session):
     assert np.nanmin(np.concatenate(live.sources["tongue edge"].data["ys"])) < 0.1
 
 
+@pytest.mark.parametrize("key", ["load-frequency", "campbell"])
+def test_a_zoom_computes_the_whirl_that_is_seen_and_leaves_the_map(session, key):
+    live = charts(session)[key]
+    before = picture(session)["instability"]
+    window = {"left": 1.0, "right": 1.1, "low": -1.0, "high": 1.0}
+    zoom(live, (1.0, 1.1), (-1.0, 1.0))
+    answer = session.respond({"type": "window", "chart": key, **window})
+    assert answer["settled"]
+    x = live.sources["whirl"].data["xs"][0]
+    assert np.sum((x >= 1.0) & (x <= 1.1)) > 100
+    assert picture(session)["instability"] == before
+    # a new value keeps the zoom, and a reset leads back to the whole chart
+    change(session, disk_mass=1.2)
+    x = live.sources["whirl"].data["xs"][0]
+    assert np.sum((x >= 1.0) & (x <= 1.1)) > 100
+    assert live.figure.x_range.reset_end > 2.0
+    session.respond({"type": "view"})
+    assert live.sources["whirl"].data["xs"][0][-1] == live.figure.x_range.end
+
+
+def test_a_window_in_SI_is_that_of_the_rotor(session):
+    change(session, units="SI")
+    live = charts(session)["campbell"]
+    factor = session.respond({"type": "settle"})["si"]["factors"]["campbell"][0]
+    window = {"left": 1.0, "right": 1.1, "low": -1.0, "high": 1.0}
+    zoom(live, (factor, 1.1 * factor), (-30.0, 30.0))
+    session.respond({"type": "window", "chart": "campbell", **window})
+    x = live.sources["whirl"].data["xs"][0] / factor
+    assert np.sum((x >= 1.0) & (x <= 1.1)) > 100
+    # nothing beyond the bounds can be seen
+    assert live.figure.x_range.bounds[0] == 0.0
+    assert live.figure.x_range.bounds[1] > live.figure.x_range.reset_end
+
+
+@pytest.mark.parametrize("key", ["instability", "load-frequency", "campbell"])
 @pytest.mark.parametrize(
     "window",
     [
         {},
         {"left": 2.0, "right": 1.0, "low": 0.0, "high": 1.0},
         {"left": math.nan, "right": 1.0, "low": 0.0, "high": 1.0},
-        {"left": -5.0, "right": -1.0, "low": 0.0, "high": 1.0},
+        {"left": -500.0, "right": -100.0, "low": 0.0, "high": 1.0},
         {"left": 0.0, "right": 6.0, "low": "0", "high": 1.0},
         {"left": True, "right": 6.0, "low": 0.0, "high": 1.0},
         {"left": 1.0, "right": 1.0 + 1e-9, "low": 0.0, "high": 1.0},
         {"left": 0.0, "right": math.inf, "low": 0.0, "high": 1.0},
     ],
 )
-def test_a_window_that_cannot_be_shown_is_not_taken(session, window):
+def test_a_window_that_cannot_be_shown_is_not_taken(session, key, window):
     before = picture(session)
-    session.respond({"type": "window", "chart": "instability", **window})
-    assert session.pages["explore"].view is None
+    session.respond({"type": "window", "chart": key, **window})
+    assert not session.pages["explore"].views
     assert picture(session)["campbell"] == before["campbell"]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from .structure import Chart, Layer
 
 __all__ = ["campbell_chart", "load_frequency_chart"]
 
+
+Range = tuple[float, float]
 
 _LEVEL = 0.14  # step between the labels of two limits, in heights of the chart
 _LETTER = 0.03  # width of a letter in a phone's chart, in widths of the chart
@@ -29,18 +31,36 @@ def _span(curves: WhirlCurves) -> tuple[float, float]:
     return float(real.min()), float(real.max())
 
 
-def _mode_labels(curves: WhirlCurves, side: str) -> list[tuple[float, float, str, str]]:
-    """Return a label for each mode near one end of its curve.
+def _ranges(
+    curves: Sequence[WhirlCurves], seen: tuple[Range, Range] | None
+) -> tuple[Range, Range, Range]:
+    """Return the ranges of both axes, and the range of frequencies whose modes are named."""
+    if seen is not None:
+        return *seen, seen[1]
+    first = curves[0].parameter
+    lows, highs = zip(*map(_span, curves), strict=True)
+    return (
+        (float(first[0]), float(first[-1])),
+        around_zero(min(lows), max(highs)),
+        _span(curves[0]),
+    )
+
+
+def _mode_labels(
+    curves: WhirlCurves, side: str, x_range: Range, named: Range
+) -> list[tuple[float, float, str, str]]:
+    """Return a label for each mode near one end of its curve, if it lies in the range `named`.
 
     Names of forward whirl stand above their curves, of backward whirl below them. Those of the
     second modes stand at the end and those of the first a step inside: 1B and 2B are near.
     """
-    low, high = _span(curves)
-    steps = len(curves.parameter) - 1
+    (left, right), (low, high) = x_range, named
+    step = _STEP * (right - left)
     rows = []
     for column, (name, mode) in enumerate(zip(curves.names, modes(curves.names), strict=True)):
-        inside = round(_STEP * steps) if mode.number == 1 else 0
-        index = inside if side == "right" else steps - inside
+        inside = step if mode.number == 1 else 0.0
+        place = left + inside if side == "right" else right - inside
+        index = int(np.abs(curves.parameter - place).argmin())
         value = float(curves.frequencies[index, column].real)
         if low <= value <= high:
             vertical = "upper" if name.endswith("F") else "lower"
@@ -49,7 +69,7 @@ def _mode_labels(curves: WhirlCurves, side: str) -> list[tuple[float, float, str
 
 
 def _limit_labels(
-    limits: Mapping[str, float], x_range: tuple[float, float], y_range: tuple[float, float]
+    limits: Mapping[str, float], x_range: Range, y_range: Range
 ) -> list[tuple[float, float, str, str]]:
     """Return a label for each limit under the top of the chart, above all curves.
 
@@ -77,6 +97,7 @@ def load_frequency_chart(
     curves: Mapping[str, WhirlCurves],
     static_load: float,
     limits: Mapping[str, float],
+    seen: tuple[Range, Range] | None = None,
 ) -> Chart:
     """Return signed whirl frequency against load (Fig. 8).
 
@@ -88,11 +109,11 @@ def load_frequency_chart(
         The present p̄₀, marked.
     limits : mapping of str to float
         Critical loads to mark by name; those out of range are left out.
+    seen : ((float, float), (float, float)), optional
+        Ranges of the load and of the frequency; by default all of the curves.
     """
     first = next(iter(curves.values()))
-    x_range = (float(first.parameter[0]), float(first.parameter[-1]))
-    lows, highs = zip(*map(_span, curves.values()), strict=True)
-    y_range = around_zero(min(lows), max(highs))
+    x_range, y_range, named = _ranges(tuple(curves.values()), seen)
     lines, marks = Lines(), Lines()
     for role, whirl in curves.items():
         lines.whirl(whirl, (role, role), f"{{}}, {role}")
@@ -102,7 +123,8 @@ def load_frequency_chart(
     for name, load in shown.items():
         wording = Wording(f"{name}, {{}}", (Amount(LOAD, load, 5),))
         marks.vertical(load, y_range, wording, "limit")
-    rows = _mode_labels(first, "right") + _limit_labels(shown, x_range, y_range)
+    rows = _mode_labels(first, "right", x_range, named)
+    rows += _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
@@ -118,7 +140,12 @@ def load_frequency_chart(
     )
 
 
-def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpeeds) -> Chart:
+def campbell_chart(
+    curves: WhirlCurves,
+    spin_speed: float,
+    critical: CriticalSpeeds,
+    seen: tuple[Range, Range] | None = None,
+) -> Chart:
     """Return signed whirl frequency against spin speed, with synchronous whirl.
 
     Parameters
@@ -128,12 +155,13 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
     spin_speed : float
         The present Ω̄, marked.
     critical : CriticalSpeeds
+    seen : ((float, float), (float, float)), optional
+        Ranges of the speed and of the frequency; by default all of the curves.
     """
-    x_range = (float(curves.parameter[0]), float(curves.parameter[-1]))
-    y_range = around_zero(*_span(curves))
+    x_range, y_range, named = _ranges((curves,), seen)
     lines, marks = Lines(), Lines()
     lines.whirl(curves, ("backward", "forward"), "{}")
-    ends = np.array(x_range)
+    ends = curves.parameter[[0, -1]]
     for sign, minus in ((1, ""), (-1, "−")):
         text, si_text = f"synchronous, ω̄ = {minus}Ω̄", f"synchronous, ω = {minus}Ω"
         lines.add(ends, sign * ends, Wording(text, si_text=si_text), "synchronous")
@@ -150,7 +178,7 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
             (-1, "backward", critical.backward),
         )
         for speed in speeds
-        if speed <= x_range[1]
+        if x_range[0] <= speed <= x_range[1]
     ]
     return Chart(
         key="campbell",
@@ -163,6 +191,6 @@ def campbell_chart(curves: WhirlCurves, spin_speed: float, critical: CriticalSpe
             Layer("lines", "whirl", lines.columns),
             Layer("lines", "marks", marks.columns),
             points_layer("critical speeds", points, "critical speed"),
-            Layer("labels", "mode", label_columns(_mode_labels(curves, "left"))),
+            Layer("labels", "mode", label_columns(_mode_labels(curves, "left", x_range, named))),
         ),
     )

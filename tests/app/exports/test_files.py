@@ -6,6 +6,7 @@ import time
 from concurrent.futures import CancelledError, Future
 from queue import Queue
 
+import numpy as np
 import pytest
 
 from app.background import printing, processes
@@ -301,6 +302,29 @@ def test_a_session_may_wait_for_some_files_only_and_for_one_while_many_wait(desk
     assert told == [{"told": "ready"}]
     wanted.close()
     bystander.close()
+
+
+@pytest.mark.parametrize("key", ["load-frequency", "campbell"])
+@pytest.mark.parametrize("kind", ["csv", "json", "svg"])
+def test_a_file_of_a_zoomed_chart_has_what_is_seen(own, session, monkeypatch, key, kind):
+    figures = []
+    monkeypatch.setattr(
+        "app.exports.files.printer.file",
+        lambda cache_key, figure, *_: figures.append(figure) or Future(),
+    )
+    live = session.pages["explore"].charts[key].figure
+    live.x_range.update(start=1.0, end=1.1)
+    live.y_range.update(start=-1.0, end=1.0)
+    window = {"left": 1.0, "right": 1.1, "low": -1.0, "high": 1.0}
+    session.respond({"type": "window", "chart": key, **window})
+    session.respond({"type": "export", "chart": key, "format": kind})
+    chart = figures[0].panels[0]
+    assert (chart.x_range, chart.y_range) == ((1.0, 1.1), (-1.0, 1.0))
+    x = chart.layer("whirl").columns["xs"][0]
+    assert np.sum((x >= 1.0) & (x <= 1.1)) > 100
+    if kind != "svg":
+        assert (x[0], x[-1]) == (1.0, 1.1)
+    session.respond({"type": "view"})
 
 
 @pytest.mark.parametrize("floquet", [False, True])
