@@ -112,10 +112,10 @@ window.rotorstab.marker = (() => {
     handle.setAttribute("aria-label", "Marked point");
     handle.setAttribute("aria-describedby", "marker-keys-help");
     for (const [type, act] of Object.entries({ pointerdown: grab, pointermove: drag, pointerup: release, pointercancel: release, keydown: key })) handle.addEventListener(type, act);
-    // the wheel zooms the chart under the handle
+    // the wheel zooms the chart under the handle, or scrolls the page
     handle.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      page.places.view(CHART).canvas_view.events_el.dispatchEvent(new WheelEvent(event.type, event));
+      const below = page.places.view(CHART).canvas_view.events_el;
+      if (!below.dispatchEvent(new WheelEvent(event.type, event))) event.preventDefault();
     }, { passive: false });
     where.append(handle);
     page.places.watch(CHART, show);

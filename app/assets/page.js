@@ -40,7 +40,7 @@
               break;
             case "Figure":
               if (model.name === "instability") veilNames(model, quiet);
-              if (ZOOMED.includes(model.name)) watchWindow(model);
+              if (ZOOMED.includes(model.name)) { watchWindow(model); letWheelZoom(model, quiet); }
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
@@ -80,6 +80,15 @@
     };
     for (const range of [figure.x_range, figure.y_range]) range.change.connect(moved);
   }
+
+  // the wheel and two fingers zoom; where the page scrolls, the wheel needs Ctrl, which a touch pad's pinch sends, too
+  const oneScreen = window.matchMedia("(min-width: 76em) and (min-height: 40em)"); // as in page.css
+  function letWheelZoom(figure, quiet) {
+    const still = oneScreen.matches && !document.querySelector("main").classList.contains("teaching");
+    const tool = figure.toolbar.tools.find((one) => one.type === "WheelZoomTool");
+    tool?.setv({ active: true, modifiers: still ? {} : { ctrl: true } }, quiet);
+  }
+  oneScreen.addEventListener("change", () => paintCharts());
 
   // a chart that was created while its place changed its width hides its tools until it is laid out again
   page.relayout = () => {

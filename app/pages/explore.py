@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from bokeh.models import CustomJS
+from bokeh.models import CustomJS, WheelZoomTool
 
 from rotorstab.charts import Chart, chart_factors, fitted_top, with_top
 
@@ -180,6 +180,8 @@ class Explore(Page):
         """Fit a chart into its place; a click on the instability chart places the marker."""
         if key in CHARTS:
             chart.figure.min_height = None  # the page gives each chart its height
+            # where one axis has reached its bounds the other one still zooms out
+            chart.figure.select_one(WheelZoomTool).maintain_focus = False
         if key in ("load-frequency", "campbell"):
             make_low(chart.figure)
         if key in INSPECTOR_CHARTS:

@@ -1,0 +1,121 @@
+"""The wheel, a pinch and a drag zoom the charts, which then show what is seen."""
+
+import pytest
+
+from tests.testing.dashboard import open_dashboard
+from tests.testing.page import FRAME, settle, shown, wait_for_rest
+
+pytestmark = pytest.mark.browser
+KEYS = ("instability", "load-frequency", "campbell")
+
+
+@pytest.fixture(scope="module")
+def desktop(browser, dashboard):
+    """The page on a laptop, where nothing scrolls."""
+    context, page, watch = open_dashboard(browser, dashboard, 1366, 768)
+    settle(page)
+    yield page
+    watch.check(dashboard)
+    context.close()
+
+
+def ranges(page, key):
+    return shown(page)[key]["axes"]
+
+
+def wheel(page, key, turn, share=0.3):
+    """Turn the wheel over a place of a chart that is away from the marker."""
+    x, y, width, height = page.evaluate(FRAME, key)
+    page.mouse.move(x + share * width, y + 0.3 * height)
+    page.mouse.wheel(0, turn)
+    page.wait_for_timeout(50)
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_the_wheel_zooms_where_nothing_scrolls(desktop, key):
+    whole = ranges(desktop, key)
+    wheel(desktop, key, -240)
+    end = whole[0][1]
+    desktop.wait_for_function(
+        "([key, end]) => rotorstab.places.window(key)[0][1] < end", arg=[key, end]
+    )
+    settle(desktop)
+    (left, right), _ = ranges(desktop, key)
+    assert right - left < 0.9 * (whole[0][1] - whole[0][0])
+    if key != "instability":
+        # the curves have been computed for what is seen
+        desktop.wait_for_function(
+            """([key, left, right]) => {
+              const line = rotorstab.places.view(key).model.renderers
+                .find((one) => one.name === "whirl").data_source.data.xs[0];
+              return line.some((x) => Math.abs(x - left) < 1e-9);
+            }""",
+            arg=[key, left, right],
+        )
+    # no zoom leaves what has an answer
+    for _ in range(30):
+        wheel(desktop, key, 600)
+    settle(desktop)
+    bounds = desktop.evaluate(
+        """(key) => {
+          const { x_range, y_range } = rotorstab.places.view(key).model;
+          return [x_range.bounds, y_range.bounds];
+        }""",
+        key,
+    )
+    for found, bound in zip(ranges(desktop, key), bounds, strict=True):
+        assert found == pytest.approx(bound)
+    assert desktop.evaluate("[scrollX, scrollY]") == [0, 0]
+    desktop.get_by_role("button", name="Reset zoom").click()
+    desktop.wait_for_function(
+        "([key, end]) => rotorstab.places.window(key)[0][1] === end", arg=[key, end]
+    )
+    settle(desktop)
+    assert ranges(desktop, key) == whole
+
+
+def test_the_wheel_scrolls_a_page_that_is_longer_than_the_window(open_page):
+    page = open_page(1100, 700)
+    settle(page)
+    whole = ranges(page, "instability")
+    wheel(page, "instability", 120)
+    page.wait_for_function("scrollY > 50")
+    assert ranges(page, "instability") == whole
+    page.evaluate("scrollTo(0, 0)")
+    page.wait_for_function("scrollY === 0")
+    page.keyboard.down("Control")
+    wheel(page, "instability", -240)
+    page.keyboard.up("Control")
+    page.wait_for_function("rotorstab.places.window('instability')[0][1] < 6")
+    assert page.evaluate("scrollY") == 0
+
+
+def test_two_fingers_zoom_and_one_scrolls(open_page):
+    phone = open_page(390, 844, has_touch=True, is_mobile=True, device_scale_factor=2)
+    settle(phone)
+    wait_for_rest(phone)
+    touches = phone.context.new_cdp_session(phone)
+    x, y, width, height = phone.evaluate(FRAME, "instability")
+    middle = x + width / 2, y + 0.3 * height
+    marker = phone.evaluate("rotorstab.last.values.marker_frequency")
+
+    def touch(kind, gap):
+        points = [{"x": middle[0] + side * gap, "y": middle[1], "id": side} for side in (-1, 1)]
+        points = [point | {"id": number} for number, point in enumerate(points)]
+        touches.send(
+            "Input.dispatchTouchEvent",
+            {"type": kind, "touchPoints": points if kind != "touchEnd" else []},
+        )
+        phone.wait_for_timeout(16)
+
+    touch("touchStart", 30)
+    for gap in range(32, 92, 4):
+        touch("touchMove", gap)
+    touch("touchEnd", 0)
+    phone.wait_for_function(
+        "(() => { const [[a, b]] = rotorstab.places.window('instability'); return b - a < 5; })()"
+    )
+    settle(phone)
+    # the marked point has not moved, and the page neither zoomed nor scrolled
+    assert phone.evaluate("rotorstab.last.values.marker_frequency") == marker
+    assert phone.evaluate("[visualViewport.scale, scrollY]") == [1, 0]
