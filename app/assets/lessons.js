@@ -2,7 +2,8 @@
 window.rotorstab.lessons = (() => {
   const page = window.rotorstab;
   const STORE = "rotorstab-lessons";
-  const CHARTS = { instability: "instability-title", "load-frequency": "load-title", campbell: "campbell-title", inspector: "inspector-title" };
+  const GLIDE = 1200; // ms in which a right answer moves the settings to those that its text speaks of
+  const still = window.matchMedia("(prefers-reduced-motion: reduce)");
   const LIMITS = { marker_frequency: ["lowest_frequency", "highest_frequency"], marker_factor: ["", "largest_factor"] };
   const place = (name) => document.querySelector(`[data-lesson="${name}"]`);
   const panel = () => document.querySelector(".lesson");
@@ -69,7 +70,7 @@ window.rotorstab.lessons = (() => {
     where.hidden = !pairs.length;
   }
 
-  // -- controls that the step shows, in addition to the sidebar -------------------------
+  // -- the controls of the step: the only settings that it offers ------------------------
   function control(field) {
     const id = `lesson-${field.name}`;
     const title = [...page.rich(`${field.symbol} ${field.label}`.trim())];
@@ -109,10 +110,6 @@ window.rotorstab.lessons = (() => {
       return controls[field.name].row;
     });
     if (step.has_set) rows.push(button("Set it for me", () => page.send({ type: "lesson-set" })));
-    for (const name of step.look) {
-      const words = name === "inspector" ? "Show the marked point" : step.look.length > 1 ? `Show the ${name} chart` : "Show the chart";
-      rows.push(button(words, () => card(name)?.scrollIntoView({ block: "start" })));
-    }
     place("move").replaceChildren(...rows);
   }
 
@@ -147,7 +144,7 @@ window.rotorstab.lessons = (() => {
     page.send({ type: "lesson-answer", value });
   }
 
-  function answered({ right, counted, words, shown, recalled }) {
+  function answered({ right, counted, words, shown, recalled, show: settings }) {
     if (recalled) { // a step that was done before: show its answer, do not scroll
       say(words, "right");
       return;
@@ -158,22 +155,49 @@ window.rotorstab.lessons = (() => {
       return;
     }
     // an answer that is not counted is not an answer yet, for example a number with its unit
-    say(words, right ? "right" : shown ? "shown" : counted ? "hint" : "note");
-    // the new text may lie below the edge of the panel
-    requestAnimationFrame(() => {
-      const inside = panel().scrollHeight > panel().clientHeight;
-      if (inside) panel().scrollTop = Math.max(0, place("words").offsetTop - 60);
-      else place("words").scrollIntoView({ block: "nearest" });
-    });
-    if (!counted) return;
+    const tell = () => { say(words, right ? "right" : shown ? "shown" : counted ? "hint" : "note"); scroll(); };
+    if (!counted) { tell(); return; }
     const { key, step } = running;
     keep(key, (old) => {
       const before = old.steps[step];
       const now = right ? "right" : shown && before !== "right" ? "shown" : before || "tried";
       return { ...old, at: step, steps: { ...old.steps, [step]: now } };
     });
+    if (!settings) { reveal(); stand(); tell(); return; }
+    say("", "");
+    glide(settings, () => { reveal(); tell(); });
     reveal();
     stand();
+  }
+
+  // the new text may lie below the edge of the panel, or of a small screen
+  function scroll() {
+    requestAnimationFrame(() => place(place("see-part").hidden ? "words" : "see-part").scrollIntoView({ block: "nearest" }));
+  }
+
+  // -- a right answer first shows what its text speaks of: the settings move, then the words appear ------
+  let arrival = null; // what happens once the charts show the settings of Try
+  let frame = 0;
+  function glide(settings, then) {
+    const from = values, moved = Object.keys(settings).filter((name) => settings[name] !== from[name]);
+    if (!moved.length) { then(); return; }
+    const numbers = moved.filter((name) => typeof settings[name] === "number");
+    for (const name of moved) if (!numbers.includes(name)) page.change(name, settings[name]);
+    arrival = then;
+    const start = performance.now();
+    const tick = (now) => {
+      const share = still.matches || !numbers.length ? 1 : Math.min(1, Math.max(0, now - start) / GLIDE);
+      if (share === 1) { page.send({ type: "lesson-set" }); return; }
+      for (const name of numbers) page.change(name, from[name] + share * (settings[name] - from[name]));
+      frame = requestAnimationFrame(tick);
+    };
+    frame = requestAnimationFrame(tick);
+  }
+
+  function arrived() {
+    const then = arrival;
+    arrival = null;
+    then?.();
   }
 
   function say(words, kind) {
@@ -187,12 +211,17 @@ window.rotorstab.lessons = (() => {
     const { key, step, kind, titles, next } = running;
     const { steps } = progress(key);
     const state = steps[step];
-    place("try-part").hidden = !state && kind !== "goal";
-    place("see-part").hidden = !passed(state);
+    const waits = !state && kind !== "goal";
+    panel().classList.toggle("waits", waits);
+    place("try-part").inert = waits;
+    place("see-part").hidden = !passed(state) || arrival !== null;
+    place("form").inert = arrival !== null;
     place("show").hidden = passed(state) || !state;
-    veil(!state && kind !== "goal");
+    veil(waits);
     // after a wrong answer the numbers appear when the student moves an input
-    panel().classList.toggle("tried", passed(state) || kind === "goal" || !running.move.length || moved);
+    const tried = passed(state) || kind === "goal" || !running.move.length || moved;
+    panel().classList.toggle("tried", tried);
+    document.querySelector("main").classList.toggle("untried", !tried);
     place("back").disabled = step === 0;
     const last = step === titles.length - 1;
     const forward = place("next");
@@ -208,11 +237,16 @@ window.rotorstab.lessons = (() => {
   }
 
   // whatever would show the answer is hidden until the prediction
+  const PLACES = {
+    instability: '[data-view="instability"] .plot', "load-frequency": '[data-view="load-frequency"] .plot', campbell: '[data-view="campbell"] .plot',
+    shaft: ".shaft-views", response: ".tip-chart .plot", multipliers: ".multipliers .plot", orbit: ".orbit .plot",
+  };
   let predicting = false, laid = "";
   function veil(on) {
     predicting = on;
     document.querySelector("main").classList.toggle("predicting", on);
-    document.querySelector("main").classList.toggle("covered", Boolean(on && running?.cover));
+    const covered = on && running ? running.cover : [];
+    for (const [name, selector] of Object.entries(PLACES)) document.querySelector(selector).classList.toggle("covered", covered.includes(name));
     const asked = new Set(on && running ? running.asked : []);
     for (const number of document.querySelectorAll("[data-number], [data-whirl]")) {
       const name = number.dataset.number || `whirl.${number.dataset.whirl}`;
@@ -220,19 +254,23 @@ window.rotorstab.lessons = (() => {
     }
   }
 
-  const card = (name) => document.getElementById(CHARTS[name])?.closest(".card");
-
   function stand() {
-    const here = running && document.querySelector('[data-page="explore"]') && !document.querySelector('[data-page="explore"]').hidden;
+    const here = Boolean(running) && document.querySelector('[data-page="explore"]')?.hidden === false;
+    const main = document.querySelector("main");
     panel().hidden = !here;
     page.mark();
-    document.querySelector("main").classList.toggle("teaching", Boolean(here));
-    for (const name of Object.keys(CHARTS)) {
-      card(name)?.classList.toggle(name === "inspector" ? "shown" : "looked", Boolean(here) && running.look.includes(name));
+    main.classList.toggle("teaching", here);
+    main.classList.toggle("unmarked", here && !running.marked);
+    document.querySelector(".layers").inert = here; // the controls of the step switch the layers
+    const looked = here ? running.look.join(" ") : "";
+    if (looked !== laid) {
+      laid = looked;
+      main.dataset.look = looked;
+      main.classList.toggle("pointed", here && running.look.length > running.charts);
+      main.dataset.charts = here ? String(running.charts) : "";
+      setTimeout(page.relayout, 400);
     }
-    const looked = here ? running.look.join() : "";
-    if (looked !== laid) { laid = looked; setTimeout(page.relayout, 400); }
-    const veiled = Boolean(here) && predicting;
+    const veiled = here && predicting;
     if (page.veiled !== veiled) { page.veiled = veiled; page.paintCharts(); }
     return here;
   }
@@ -240,11 +278,15 @@ window.rotorstab.lessons = (() => {
   function show(step) {
     if (step.key !== asked) return; // the student has left this lesson
     running = step;
+    cancelAnimationFrame(frame);
+    arrival = null;
     start = "";
     moved = false;
     busy(false);
     place("where").textContent = step.number ? `Lesson ${step.number} · step ${step.step + 1} of ${step.titles.length}` : `Step ${step.step + 1} of ${step.titles.length}`;
     for (const name of ["title", "intro", "heading", "predict", "try", "see"]) html(place(name), step[name]);
+    if (step.number) place("title").dataset.lessonNumber = step.number;
+    else delete place("title").dataset.lessonNumber;
     numbers(place("given"), step.given);
     numbers(place("watch"), step.watch);
     form(step);
@@ -255,7 +297,7 @@ window.rotorstab.lessons = (() => {
     name();
     reveal();
     stand();
-    panel().scrollTop = 0;
+    document.querySelector(".lesson-body").scrollTop = 0;
     if (passed(progress(step.key).steps[step.step]) && step.kind !== "goal") page.send({ type: "lesson-show", recall: true });
     if (focusTo) {
       place(focusTo).focus({ preventScroll: true });
@@ -270,7 +312,7 @@ window.rotorstab.lessons = (() => {
   function go(step, held = false) {
     focusTo = held ? "" : "heading";
     busy(true);
-    page.send({ type: "lesson", lesson: asked, step, keep: held });
+    page.send({ type: "lesson", lesson: asked, step, keep: held, done: passed(progress(asked).steps[step]) });
   }
 
   // a step that is chosen with a button gets an entry in the history; a moved slider does not
@@ -280,7 +322,7 @@ window.rotorstab.lessons = (() => {
   // while the new step loads, the old one is inactive, except for the button that leaves the lesson
   function busy(waiting) {
     panel().setAttribute("aria-busy", String(waiting));
-    for (const part of panel().children) if (!part.matches(".lesson-head")) part.inert = waiting;
+    for (const part of panel().querySelectorAll(".lesson-steps, .lesson-body, .lesson-foot, .lesson-try")) part.inert = waiting;
   }
 
   // #lesson/name/step opens that step beside the charts, with the state of the address if it has one.
@@ -347,8 +389,13 @@ window.rotorstab.lessons = (() => {
 
   return {
     get running() { return Boolean(running); },
+    // whether an input may be changed on the charts: in a step only by a student who has made a prediction
+    free: (name) => !running || (!predicting && arrival === null && running.free.includes(name)),
+    // the range of an input in the step
+    range: (name) => running?.move.find((field) => field.name === name),
     answer(data) {
       if (data.lesson) show(data.lesson);
+      if (data.lesson_set) arrived();
       if (data.lesson === null) { asked = ""; running = null; busy(false); stand(); }
       if (data.values) {
         values = data.values;

@@ -14,9 +14,17 @@ window.rotorstab.marker = (() => {
   const written = (value) => String(Number(value.toFixed(4)));
   const say = (words) => { one(".marker-error").textContent = words; };
 
+  // a step of a lesson may hold the marker, or let it move along one axis, in the range of its slider
+  function limits(name) {
+    if (!page.lessons.free(name)) return [values[name], values[name]];
+    const { low, high } = page.lessons.range(name) ?? { low: -Infinity, high: Infinity };
+    return [Math.max(low, BOUNDS[name][0]), Math.min(high, BOUNDS[name][1])];
+  }
+
   function place(frequency, factor) {
-    values.marker_frequency = Number(clamp(frequency, BOUNDS.marker_frequency).toFixed(4));
-    values.marker_factor = Number(clamp(factor, BOUNDS.marker_factor).toFixed(4));
+    if (!values.marker && !page.lessons.free("marker")) return;
+    values.marker_frequency = Number(clamp(frequency, limits("marker_frequency")).toFixed(4));
+    values.marker_factor = Number(clamp(factor, limits("marker_factor")).toFixed(4));
     values.marker = true;
     values.marker_follows = false;
     say("");
@@ -25,6 +33,7 @@ window.rotorstab.marker = (() => {
   }
 
   function remove() {
+    if (!page.lessons.free("marker")) return;
     page.change("marker", false);
     one(".marker-keys").focus();
   }

@@ -14,10 +14,12 @@
   const coarse = window.matchMedia("(pointer: coarse)");
   const freed = new WeakSet();
 
-  // while a lesson asks for a prediction, the names of the tongues and the hover texts are hidden
+  // while a lesson asks for a prediction, the hover texts and the names of tongues and of critical loads are hidden
+  const VEILED = ["tongue", "limit"];
   function veilNames(figure, quiet) {
-    const names = figure.renderers.find((one) => one.name === "tongue");
-    names?.glyph.setv({ text_alpha: { value: page.veiled ? 0 : 1 }, background_fill_alpha: { value: page.veiled ? 0 : 0.7 } }, quiet);
+    for (const names of figure.renderers.filter((one) => VEILED.includes(one.name))) {
+      names.glyph.setv({ text_alpha: { value: page.veiled ? 0 : 1 }, background_fill_alpha: { value: page.veiled ? 0 : 0.7 } }, quiet);
+    }
     for (const tool of figure.toolbar.tools) if (tool.type === "HoverTool") tool.setv({ active: !page.veiled }, quiet);
   }
 
@@ -39,8 +41,7 @@
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
               break;
             case "Figure":
-              if (model.name === "instability") veilNames(model, quiet);
-              if (ZOOMED.includes(model.name)) { watchWindow(model); letWheelZoom(model, quiet); }
+              if (ZOOMED.includes(model.name)) { veilNames(model, quiet); watchWindow(model); letWheelZoom(model, quiet); }
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;

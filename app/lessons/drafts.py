@@ -110,5 +110,4 @@ def _gather(draft: Draft, name: str, table: Table) -> None:
     else:
         if draft.show:
             raise LessonError(table.line, "a step has one show block")
-        table.only(values, ("look", "move", "given", "watch", "cover"), "a show block")
         draft.show = values, table

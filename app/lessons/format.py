@@ -9,15 +9,14 @@ from typing import Any
 from ..state import State
 from .drafts import PARTS, Draft, read_drafts
 from .markdown import inline, render
-from .quantities import find
 from .questions import Question, case_inputs, read_question
+from .show_block import Show, read_show
 from .tables import LessonError, Table, set_inputs
 
 __all__ = ["LONGEST_FILE", "Lesson", "Step", "parse"]
 
 LONGEST_FILE = 100_000
 """Largest number of characters of a lesson's file."""
-_CHARTS = ("instability", "load-frequency", "campbell", "inspector")
 
 
 @dataclass(frozen=True)
@@ -33,14 +32,8 @@ class Step:
         Every input of `State` when the step begins, and after its Try.
     has_set : bool
         Whether Try sets any inputs.
-    look : tuple of str
-        Charts to look at.
-    move : tuple of str
-        Inputs that the student moves.
-    given, watch : tuple of str
-        Quantities shown with Predict, and with Try.
-    cover : bool
-        Whether the charts to look at are covered until the question is answered.
+    show : Show
+        What is on the screen, and what the student moves.
     line : int
         Of the file, where the step begins.
     """
@@ -53,11 +46,7 @@ class Step:
     before: Mapping[str, Any]
     after: Mapping[str, Any]
     has_set: bool
-    look: tuple[str, ...]
-    move: tuple[str, ...]
-    given: tuple[str, ...]
-    watch: tuple[str, ...]
-    cover: bool
+    show: Show
     line: int
 
 
@@ -71,35 +60,6 @@ class Lesson:
     minutes: int
     intro: str
     steps: tuple[Step, ...]
-
-
-def _list(values: Mapping[str, Any], key: str, table: Table) -> tuple[str, ...]:
-    value = values.get(key, [])
-    names = [value] if isinstance(value, str) else value
-    if not isinstance(names, list) or len(names) > 8:
-        raise table.error(key, f"{key} must be a list of up to eight names")
-    for name in names:
-        if not isinstance(name, str):
-            raise table.error(key, f"{key} must be a list of names")
-        if not _is_known(key, name):
-            raise table.error(key, f"{key}: there is no {name[:60]!r}")
-    return tuple(names)
-
-
-def _is_known(key: str, name: str) -> bool:
-    """Whether a name can stand in a list of a show block."""
-    if key == "look":
-        return name in _CHARTS
-    if key == "move":
-        return name in State().inputs()
-    return find(name) is not None
-
-
-def _flag(values: Mapping[str, Any], key: str, table: Table) -> bool:
-    value = values.get(key, False)
-    if not isinstance(value, bool):
-        raise table.error(key, f"{key} must be true or false")
-    return value
 
 
 def _front(lines: list[str]) -> tuple[Table, int]:
@@ -128,7 +88,6 @@ def _step(draft: Draft, on: Mapping[str, Any]) -> Step:
     question = read_question(*draft.question)
     for case in question.cases.values():
         case_inputs(case, after, draft.question[1])
-    shown, table = draft.show or ({}, here)
     return Step(
         title=inline(draft.title),
         predict=render(draft.parts["predict"]),
@@ -138,11 +97,7 @@ def _step(draft: Draft, on: Mapping[str, Any]) -> Step:
         before=before,
         after=after,
         has_set=bool(draft.in_try),
-        look=_list(shown, "look", table),
-        move=_list(shown, "move", table),
-        given=_list(shown, "given", table),
-        watch=_list(shown, "watch", table),
-        cover=_flag(shown, "cover", table),
+        show=read_show(*(draft.show or ({}, here)), before, after),
         line=draft.line,
     )
 

@@ -146,7 +146,7 @@ def solver_answer(step: Step) -> str:
     if question.kind == "choice":
         assert isinstance(answer, int)
         return f"The solver’s answer: <b>{question.choices[answer].text}</b>."
-    return "The button below the sliders sets values that reach it."
+    return "The sliders now stand where the goal is reached."
 
 
 def grade(step: Step, value: Any, inputs: Mapping[str, Any]) -> Grade:
@@ -184,7 +184,7 @@ def _grade_goal(step: Step, inputs: Mapping[str, Any]) -> Grade:
     assert question.goal is not None
     try:
         tried = {name for name, value in step.after.items() if value != step.before[name]}
-        moved = {name: inputs[name] for name in {*step.move, *tried}}
+        moved = {name: inputs[name] for name in {*step.show.move, *tried}}
         if question.goal.holds(_values(step, {**step.before, **moved}), question.tolerance):
             return Grade(True, "You are there.")
         elsewhere = question.goal.holds(_values(step, inputs), question.tolerance)

@@ -15,6 +15,7 @@ from ..lessons.evaluation import evaluate
 from ..lessons.grading import number_text, solver_answer
 from ..lessons.markdown import plain
 from ..lessons.quantities import find
+from ..lessons.show_block import POINT_PARTS, Show
 from ..live.controls import field
 from ..results.limits import Detail
 from ..state import SYMBOLS, State
@@ -71,8 +72,29 @@ def _present_value(name: str, inputs: Mapping[str, Any]) -> str:
 
 def _asked(step: Step) -> list[str]:
     """Return the quantities of the answer that the page hides, since they would give it away."""
-    answer = step.question.answer
-    return [term.name for term in answer.terms if term.name not in step.given] if answer else []
+    answer, given = step.question.answer, step.show.given
+    return [term.name for term in answer.terms if term.name not in given] if answer else []
+
+
+def _control(name: str, show: Show) -> dict[str, Any]:
+    """Return the declaration of a control, with the step's own range."""
+    found = field(name)
+    if name in show.sliders:
+        found |= dict(zip(("low", "high", "step"), show.sliders[name], strict=True))
+    return found
+
+
+def _is_marked(step: Step) -> bool:
+    return bool(step.before["marker"] or step.after["marker"])
+
+
+def _free(step: Step) -> list[str]:
+    """Return the inputs that the student may change on the charts themselves."""
+    show = step.show
+    # a panel of the marked point without a point asks for one
+    places = not _is_marked(step) and any(part in show.look for part in POINT_PARTS)
+    point = ("marker", "marker_frequency", "marker_factor") if places else ()
+    return list(dict.fromkeys((*show.move, *point)))
 
 
 def describe(lesson: Lesson, index: int) -> dict[str, Any]:
@@ -98,12 +120,15 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
         "try": step.try_,
         "has_set": step.has_set,
         "see": step.see,
-        "look": list(step.look),
-        "cover": step.cover,
-        "move": [field(name) for name in step.move],
+        "look": list(step.show.look),
+        "charts": len(step.show.charts),
+        "cover": list(step.show.cover),
+        "move": [_control(name, step.show) for name in step.show.move],
+        "free": _free(step),
+        "marked": _is_marked(step),
         "asked": _asked(step),
-        "given": [[name, _label(name)] for name in step.given],
-        "watch": [[name, _label(name)] for name in step.watch],
+        "given": [[name, _label(name)] for name in step.show.given],
+        "watch": [[name, _label(name)] for name in step.show.watch],
     }
 
 
@@ -142,6 +167,7 @@ class Lessons(Page):
             return Reply()
         elif message_type == "lesson-set":
             state.change(step.after)
+            return Reply({"lesson_set": True})
         elif message_type == "lesson-answer":
             return Reply({"lesson_answer": self._grade(step, message.get("value"), state)})
         elif message_type == "lesson-show":
@@ -160,7 +186,9 @@ class Lessons(Page):
         asked = int(index) if isinstance(index, int) and index >= 0 else 0
         self._running = lesson, min(asked, last)
         if not message.get("keep"):
-            state.change(lesson.steps[self._running[1]].before)
+            step = lesson.steps[self._running[1]]
+            # the text of a step that was done before speaks of what its Try sets
+            state.change(step.after if message.get("done") else step.before)
         answer: dict[str, Any] = {"lesson": describe(*self._running)}
         if asked > last:
             answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
@@ -171,8 +199,15 @@ class Lessons(Page):
             graded = grade(step, value, state.inputs())
         except Unanswerable:
             _LOG.exception("a question without an answer: %s", step.title)
-            return {"right": False, "counted": False, "words": _NO_ANSWER}
-        return {"right": graded.right, "counted": graded.counted, "words": graded.words}
+            return {"right": False, "counted": False, "words": _NO_ANSWER, "show": None}
+        # the charts show what the text speaks of; a goal was reached with the student's own values
+        moved = graded.right and step.question.kind != "goal"
+        return {
+            "right": graded.right,
+            "counted": graded.counted,
+            "words": graded.words,
+            "show": dict(step.after) if moved else None,
+        }
 
     def sidebar_answer(self, state: State) -> dict[str, Any]:
         """Return the present values of the quantities that the running step shows."""
@@ -182,7 +217,7 @@ class Lessons(Page):
         inputs = state.inputs()
         return {
             "lesson_numbers": {
-                name: _present_value(name, inputs) for name in (*step.given, *step.watch)
+                name: _present_value(name, inputs) for name in (*step.show.given, *step.show.watch)
             }
         }
 
@@ -193,4 +228,10 @@ def _shown_answer(step: Step) -> dict[str, Any]:
         words = solver_answer(step)
     except Unanswerable:
         words = "The solver has no answer here."
-    return {"right": False, "counted": True, "words": words, "shown": True}
+    return {
+        "right": False,
+        "counted": True,
+        "words": words,
+        "shown": True,
+        "show": dict(step.after),
+    }

@@ -47,7 +47,7 @@ def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
     page.wait_for_function("rotorstab.last.values.spin_speed === 1")
     slider = page.locator("#lesson-spin_speed")
     slider.press("ArrowRight")
-    page.wait_for_function("Math.abs(rotorstab.last.values.spin_speed - 1.02) < 1e-9")
+    page.wait_for_function("Math.abs(rotorstab.last.values.spin_speed - 1.05) < 1e-9")
 
     page.get_by_role("button", name="Next").press("Enter")
     heading(page).get_by_text(LESSON.steps[1].title).wait_for()

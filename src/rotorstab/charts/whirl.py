@@ -123,8 +123,8 @@ def load_frequency_chart(
     for name, load in shown.items():
         wording = Wording(f"{name}, {{}}", (Amount(LOAD, load, 5),))
         marks.vertical(load, y_range, wording, "limit")
-    rows = _mode_labels(first, "right", x_range, named)
-    rows += _limit_labels(shown, x_range, y_range)
+    modes = _mode_labels(first, "right", x_range, named)
+    names = _limit_labels(shown, x_range, y_range)
     return Chart(
         key="load-frequency",
         title="Load–frequency curves",
@@ -135,7 +135,8 @@ def load_frequency_chart(
         layers=(
             Layer("lines", "whirl", lines.columns),
             Layer("lines", "marks", marks.columns),
-            Layer("labels", "mode", label_columns(rows)),
+            Layer("labels", "mode", label_columns(modes)),
+            Layer("labels", "limit", label_columns(names)),
         ),
     )
 

@@ -214,8 +214,8 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
         )
     return hv.Labels(marks, vdims=["name"], label=label).opts(
         hv.opts.Labels(
-            # the names of whirls 1B and 2B stand close together in a low chart
-            text_font_size="8pt" if label == "mode" else "9pt",
+            # the names of whirls and of critical loads stand close together in a low chart
+            text_font_size="8pt" if label in ("mode", "limit") else "9pt",
             text_font_style="bold",
             text_color="#6b7280",
             hooks=[apply_label_places],

@@ -76,29 +76,77 @@ def test_nothing_of_the_old_step_acts_while_the_new_one_is_under_way(open_page):
     page.evaluate("rotorstab.send = () => {}")
     page.get_by_role("button", name="Next").click()
     assert page.locator(".lesson").get_attribute("aria-busy") == "true"
-    assert page.locator('[data-lesson="form"]').evaluate("one => one.parentNode.inert")
+    assert page.locator('[data-lesson="form"]').evaluate("one => one.closest('[inert]') !== null")
     assert page.locator(".lesson-foot").evaluate("one => one.inert")
 
 
 LEAKS = """() => {
   const open = (one) => one.checkVisibility({ visibilityProperty: true });
-  const figure = [...Bokeh.documents[0].roots()].flatMap((top) => [...top.references()])
-    .find((one) => one.type === "Figure" && one.name === "instability");
-  const names = figure.renderers.find((one) => one.name === "tongue");
-  const words = "[data-point], .details-button, [data-inspector], .pins";
+  const figures = [...Bokeh.documents[0].roots()].flatMap((top) => [...top.references()])
+    .filter((one) => one.type === "Figure");
+  const named = (key) => figures.find((one) => one.name === key);
+  const shown = (key, label) => {
+    const names = named(key).renderers.find((one) => one.name === label);
+    return names.visible && names.glyph.text_alpha.value > 0;
+  };
+  const words = "[data-point], .details-button, [data-inspector], .pins, .save-menu";
   return {
     words: [...document.querySelectorAll(words)].filter(open).map((one) => one.textContent),
     asked: [...document.querySelectorAll("[data-number], [data-whirl]")].filter(
       (one) => getComputedStyle(one).visibility === "hidden"
+        && one.parentElement.classList.contains("asked")
     ).map((one) => one.dataset.number || one.dataset.whirl),
-    names: names.visible && names.glyph.text_alpha.value > 0,
-    hover: figure.toolbar.tools.some((one) => one.type === "HoverTool" && one.active),
+    names: shown("instability", "tongue") || shown("load-frequency", "limit"),
+    hover: ["instability", "load-frequency", "campbell"].some(
+      (key) => named(key).toolbar.tools.some((one) => one.type === "HoverTool" && one.active)
+    ),
   };
+}"""
+# what a step offers, and whether it is on the screen: also with its longest texts, which wait
+SCREEN = """(hint) => {
+  const open = (one) => one.checkVisibility({ visibilityProperty: true });
+  const boxes = (selector) => [...document.querySelectorAll(selector)].filter(open);
+  const inside = (one) => {
+    const { left, top, right, bottom, width, height } = one.getBoundingClientRect();
+    const within = left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+    return within && Math.min(width, height) > 80;
+  };
+  const parts = {
+    instability: "[data-view=instability] .plot",
+    "load-frequency": "[data-view=load-frequency] .plot",
+    campbell: "[data-view=campbell] .plot", shaft: ".shaft-side", response: ".tip-chart .plot",
+    multipliers: ".multipliers .plot", orbit: ".orbit .plot",
+  };
+  const shown = Object.entries(parts).filter(([, place]) => boxes(place).length);
+  const page = document.documentElement, body = document.querySelector(".lesson-body");
+  const words = document.querySelector("[data-lesson=words]");
+  const see = document.querySelector("[data-lesson=see-part]");
+  const fits = () => page.scrollHeight <= innerHeight && page.scrollWidth <= innerWidth
+    && body.scrollHeight <= body.clientHeight;
+  const [text, kind, hidden] = [words.innerHTML, words.className, see.hidden];
+  const found = {
+    looked: shown.map(([name]) => name),
+    inside: shown.every(([, place]) => boxes(place).every(inside)),
+    offered: boxes("aside, .marker-bar, .whole-range, .fit-colours, .point-details, .layers button")
+      .filter((one) => !one.closest("[inert]")).length,
+    controls: [...document.querySelectorAll("[data-lesson=move] :is(input, select)")]
+      .map((one) => one.id.replace("lesson-", "")),
+    fits: fits(),
+  };
+  words.className = "lesson-words hint";
+  words.innerHTML = hint;
+  found.hint = fits();
+  words.className = "lesson-words right";
+  words.innerHTML = "Yes. The solver gives <b>1.234</b>.";
+  see.hidden = false;
+  found.see = fits();
+  [words.innerHTML, words.className, see.hidden] = [text, kind, hidden];
+  return found;
 }"""
 
 
-def test_no_step_of_any_lesson_gives_its_answer_away(open_page):
-    page = open_page(path="/app#lesson/01-parametric-resonance/1")
+def test_every_step_is_on_one_screen_and_gives_nothing_away(open_page):
+    page = open_page(1366, 768, path="/app#lesson/01-parametric-resonance/1")
     shown = {"buckling", "flutter", "fundamental"}
     for key, lesson in library().lessons.items():
         for number, step in enumerate(lesson.steps, 1):
@@ -109,6 +157,13 @@ def test_no_step_of_any_lesson_gives_its_answer_away(open_page):
                 " && Bokeh.documents[0].is_idle",
                 arg=step.title,
             )
+            screen = page.evaluate(SCREEN, step.question.hint)
+            where = key, number, screen
+            assert sorted(screen["looked"]) == sorted(step.show.look), where
+            assert screen["inside"], where
+            assert [screen[part] for part in ("fits", "hint", "see")] == [True] * 3, where
+            assert screen["offered"] == 0, where
+            assert tuple(screen["controls"]) == step.show.move, where
             if step.question.kind == "goal":
                 continue
             page.wait_for_function("rotorstab.veiled")
@@ -119,7 +174,7 @@ def test_no_step_of_any_lesson_gives_its_answer_away(open_page):
             assert not found["hover"], where
             told = [one.name for one in step.question.answer.terms] if step.question.answer else []
             hidden = {one.removeprefix("whirl.") for one in told} - {
-                one.removeprefix("whirl.") for one in step.given
+                one.removeprefix("whirl.") for one in step.show.given
             }
             assert set(found["asked"]) == hidden & (shown | {"1B", "1F", "2B", "2F"}), where
 
@@ -161,9 +216,9 @@ def test_a_place_is_not_read_off_the_map_before_it_is_computed():
 
 
 COVER = """() => getComputedStyle(
-  document.querySelector(".card.looked .plot"), "::after").content"""
+  document.querySelector("[data-view=campbell] .plot"), "::after").content"""
 NUMBER = """() => getComputedStyle(
-  document.querySelector('[data-lesson="watch"] dd')).fontSize"""
+  document.querySelector('[data-lesson="watch"] dd')).visibility"""
 
 
 def choose(page, number):
@@ -178,9 +233,9 @@ def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
     choose(page, 0)
     page.locator(".lesson-words.hint").wait_for()
     page.wait_for_function(f"({COVER})() === 'none'")
-    assert page.evaluate(NUMBER) == "0px"
+    assert page.evaluate(NUMBER) == "hidden"
     page.locator("#lesson-spin_speed").press("ArrowRight")
-    page.wait_for_function(f"({NUMBER})() !== '0px'")
+    page.wait_for_function(f"({NUMBER})() === 'visible'")
     choose(page, 2)
     page.locator(".lesson-words.right").wait_for()
     choose(page, 1)
@@ -188,6 +243,60 @@ def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
     page.reload()
     at_step(page, 1)
     page.locator(".lesson-words.right", has_text="It gets faster").wait_for()
+
+
+PLACES = """() => [...document.querySelectorAll(".plot, .lesson-form, .lesson-move")].map((one) => {
+  const { x, y, width, height } = one.getBoundingClientRect();
+  return [x, y, width, height];
+}).join()"""
+
+
+def test_a_right_answer_shows_what_its_text_speaks_of_and_nothing_jumps(open_page):
+    page = open_page(1366, 768, path="/app#lesson/01-parametric-resonance/4")
+    at_step(page, 4)
+    page.wait_for_function("rotorstab.veiled && rotorstab.inspector.ready")
+    # before the prediction the point of the step cannot be moved
+    before = page.evaluate(
+        "() => { rotorstab.marker.tap(2.2, 0.3); return rotorstab.last.values.marker_frequency; }"
+    )
+    assert before == 3.0
+    places = page.evaluate(PLACES)
+    page.evaluate("""() => {
+      const words = document.querySelector("[data-lesson=words]");
+      new MutationObserver(() => { window.atWords ??= words.textContent && {
+        frequency: rotorstab.last.values.marker_frequency,
+        see: document.querySelector("[data-lesson=see-part]").hidden,
+      }; }).observe(words, { childList: true });
+    }""")
+    choose(page, 0)
+    page.locator(".lesson-words.right").wait_for()
+    assert page.evaluate("atWords") == {"frequency": 1.0, "see": False}
+    assert page.evaluate(PLACES) == places
+    # then it moves, within the ranges of the step's sliders
+    page.evaluate("rotorstab.marker.tap(0.1, 0.3)")
+    page.wait_for_function("rotorstab.last.values.marker_factor === 0.3")
+    assert page.evaluate("rotorstab.last.values.marker_frequency") == 0.5
+    # a step that was done begins with what its text speaks of
+    page.get_by_role("button", name="Back").click()
+    at_step(page, 3)
+    page.locator(".lesson-steps button").nth(3).click()
+    at_step(page, 4)
+    page.wait_for_function("rotorstab.last.values.marker_frequency === 1")
+    page.locator(".lesson-words.right").wait_for()
+
+
+def test_a_wrong_answer_moves_nothing_and_a_shown_one_does(open_page):
+    page = open_page(path="/app#lesson/04-gyroscope/1", reduced_motion="no-preference")
+    at_step(page, 1)
+    page.wait_for_function("rotorstab.veiled")
+    choose(page, 0)
+    page.locator(".lesson-words.hint").wait_for()
+    assert page.evaluate("rotorstab.last.values.spin_speed") == 0
+    page.get_by_role("button", name="Show me").click()
+    # the slider moves through the values between
+    page.wait_for_function("(v => v > 0 && v < 1)(rotorstab.last.values.spin_speed)")
+    page.locator(".lesson-words.shown").wait_for()
+    assert page.evaluate("rotorstab.last.values.spin_speed") == 1
 
 
 def test_a_lost_connection_is_told_wherever_one_is_on_the_page(open_page):

@@ -44,7 +44,7 @@ def test_each_step_can_be_set_and_its_question_answered(lesson, index):
     for inputs in (step.before, step.after):
         assert State().change(inputs) == {}
     answer, question = solution(step), step.question
-    assert step.look
+    assert step.show.look
     assert step.predict or step.question.ask
     assert step.see
     if question.kind == "number":
@@ -450,13 +450,76 @@ def test_a_number_out_of_its_range_is_asked_again():
         assert "from 0 to 5" in found.words
 
 
+def shown(line):
+    """Return the show block of the example's first step, with a line more in it."""
+    return parse(EXAMPLE.replace("```show\n", f"```show\n{line}\n", 1), "a").steps[0].show
+
+
 def test_a_step_may_cover_its_charts():
-    text = EXAMPLE.replace("```show\n", "```show\ncover = true\n", 1)
-    covered = parse(text, "a").steps[0].cover
-    assert covered
-    assert not parse(EXAMPLE, "a").steps[0].cover
-    with pytest.raises(LessonError, match="cover must be true or false"):
-        parse(text.replace("cover = true", 'cover = "yes"'), "a")
+    assert shown("cover = true").cover == ("load-frequency",)
+    assert shown('cover = "load-frequency"').cover == ("load-frequency",)
+    assert shown("cover = false").cover == parse(EXAMPLE, "a").steps[0].show.cover == ()
+    for line, reason in [
+        ("cover = 5", "cover must be true, false or a list"),
+        ('cover = ["campbell"]', "cover: there is no 'campbell'"),
+    ]:
+        with pytest.raises(LessonError, match=reason) as caught:
+            shown(line)
+        assert caught.value.line == 17
+
+
+def test_a_step_may_give_a_slider_its_own_range():
+    show = shown("sliders = { spin_speed = [0, 2, 0.05] }")
+    assert show.move == ("static_load_factor", "spin_speed")
+    assert show.sliders == {"spin_speed": (0.0, 2.0, 0.05)}
+    for value, reason in [
+        ("5", "a table of up to eight"),
+        ("{ spin = [0, 2, 0.1] }", "there is no number 'spin'"),
+        ("{ marker = [0, 1, 1] }", "there is no number 'marker'"),
+        ("{ spin_speed = [0, 2] }", "three numbers"),
+        ('{ spin_speed = [0, 2, "x"] }', "three numbers"),
+        ("{ spin_speed = [2, 0, 0.1] }", "[low, high, step] within 0 to 4"),
+        ("{ spin_speed = [0, 9, 0.1] }", "within 0 to 4"),
+        ("{ spin_speed = [0, 2, 0] }", "within 0 to 4"),
+        ("{ spin_speed = [0, 2, nan] }", "within 0 to 4"),
+        ("{ spin_speed = [1, 2, 0.1] }", "spin_speed is 0 when the step begins"),
+        ("{ static_load_factor = [0, 0.8, 0.1] }", "is in move already"),
+    ]:
+        with pytest.raises(LessonError, match=re.escape(reason)) as caught:
+            shown(f"sliders = {value}")
+        assert caught.value.line == 17
+    # what Try sets lies on the slider too
+    text = EXAMPLE.replace("move = ", "sliders = { static_load_factor = [0, 0.4, 0.1] }\n#")
+    with pytest.raises(LessonError, match=r"0\.5 after Try"):
+        parse(text, "a")
+
+
+def test_a_step_shows_what_it_names_and_without_names_the_charts():
+    text = EXAMPLE.replace('"load-frequency"', '["campbell", "inspector"]')
+    panel = ("shaft", "response", "multipliers", "orbit")
+    assert parse(text, "a").steps[0].show.look == ("campbell", *panel)
+    everything = parse(EXAMPLE, "a").steps[1].show
+    assert everything.look == everything.charts == ("instability", "load-frequency", "campbell")
+    text = EXAMPLE.replace('"load-frequency"', '["shaft"]')
+    with pytest.raises(LessonError, match="shaft needs a marked point"):
+        parse(text, "a")
+    marked = text.replace("spin_speed = 0.0", "marker = true")
+    assert parse(marked, "a").steps[0].show.look == ("shaft",)
+
+
+@pytest.mark.parametrize(("lesson", "index"), STEPS)
+def test_each_slider_reaches_what_its_step_sets(lesson, index):
+    step = lesson.steps[index]
+    for name in step.show.move:
+        if not isinstance(step.before[name], float):
+            continue
+        low, high, size = step.show.sliders[name]
+        for value in (step.before[name], step.after[name]):
+            assert low <= value <= high
+            assert (value - low) / size == pytest.approx(round((value - low) / size)), name
+    # nothing else moves while an answer is shown
+    moved = {name for name, value in step.after.items() if value != step.before[name]}
+    assert moved <= {*step.show.move, "show_disagreement"}
 
 
 def test_a_power_is_no_part_of_a_subscript():
