@@ -23,7 +23,7 @@ COMMANDS = sorted(
         )
     }
 )
-MAPS = ("CONTRIBUTING.md", "docs/architecture.md")
+MAPS = ("CONTRIBUTING.md", "docs/architecture.md", "SECURITY.md")
 TOP = "|".join(path.name for path in ROOT.iterdir() if path.is_dir() and path.name[0] != ".")
 
 

@@ -1,1 +1,6 @@
-"""What a user takes away: files of charts, the report, the view as a program."""
+"""What does a user take away? Files of charts, the report, the view as a program.
+
+Read `seen` (charts as the user sees them) and `rows` (parameters and numbers in tables); then
+`files`, `picture` and `report`; `program`, `snippet` and `snippet_charts` write the program.
+`shell` does the same outside the browser.
+"""

@@ -1,4 +1,8 @@
-"""The pages of the dashboard, in the order of the navigation."""
+"""Which pages does the dashboard have? `PAGES` lists them in the order of the navigation.
+
+Read `base`, then `explore` with `marked_point`, `animation` and `pins`; `stiffness`, `paper` and
+`lessons` stand alone.
+"""
 
 from .base import Page
 from .explore import Explore

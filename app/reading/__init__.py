@@ -1,1 +1,4 @@
-"""Reads text of users, bounded and checked: numbers, quantities with units, TOML."""
+"""How is text of users read? Bounded and checked: numbers, quantities with units, TOML.
+
+Read `user_error`, then `numbers`, `quantities`, `toml` and `tables`.
+"""

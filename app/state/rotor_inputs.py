@@ -124,5 +124,5 @@ class RotorInputs(param.Parameterized):
         doc="Lumped: the paper's two degrees of freedom. Finite elements: a Timoshenko shaft with "
         "its own mass, reduced to 4 coordinates (r² = Φ/3, or r of the shaft in SI if that has "
         "this Φ). Its first four whirl frequencies are accurate to 0.15 %, the third mode to 1 %. "
-        "The edges of tongues use two modes; six of seven are accurate to 1 %.",
+        "Tongues that involve the fourth mode are not reliable.",
     )
