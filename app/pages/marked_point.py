@@ -10,7 +10,6 @@ from typing import Any
 from rotorstab import TimeResponse, in_bolotin_region
 from rotorstab.charts import Chart, Layer, in_seconds, marker_layer, pair_layers
 
-from ..reading.user_error import UserError
 from ..results.analysis import Result
 from ..results.marked_point import Point, solve_point
 from ..results.nearest import nearest_pair
@@ -108,7 +107,7 @@ def inspect(state: State, result: Result) -> Inspection:
 
 
 def _marked_point(state: State) -> Point:
-    """Return the point of the marker; UserError where the exact law ends below it."""
+    """Return the point of the marker; UserError where the stiffness law ends below it."""
     operation = operation_of(state)
     point = Point(
         model=operation.model,
@@ -121,13 +120,7 @@ def _marked_point(state: State) -> Point:
         seed=round(state.seed) if state.initial == "noise" else 0,
         periods=round(state.periods),
     )
-    limit = operation.system.largest_load
-    if (peak := point.static + point.pulsating) >= limit:
-        raise UserError(
-            f"Here the load reaches p̄ = {peak:.4g}. With the exact stiffness law it must stay "
-            f"below {limit:.4g}, where a shaft clamped at both ends buckles: move the marker to a "
-            "lower β_d."
-        )
+    operation.check_peak(state.marker_factor, "move the marker to a lower β_d")
     return point
 
 

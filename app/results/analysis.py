@@ -15,7 +15,6 @@ import numpy as np
 from rotorstab import ResonanceTable, bolotin_chart, resonances
 from rotorstab.charts import Chart, GrowthGrid, instability_chart
 
-from ..reading.user_error import UserError
 from ..state import State, Use, names_for
 from .caches import shared_cache
 from .curves import flutter, whirl_numbers
@@ -70,19 +69,10 @@ def _checked_loads(operation: Operation) -> tuple[float, float]:
     Raises
     ------
     UserError
-        Where the rotor has no such load or the exact law ends below it.
+        Where the rotor has no such load or the stiffness law ends below it.
     """
-    largest = operation.system.largest_load
-    static = operation.static_load
-    peak = static + operation.pulsating_load(TABLE_FACTOR)
-    if peak >= largest:
-        raise UserError(
-            f"With the exact stiffness law the load must stay below p̄ = {largest:.4g}, "
-            f"where a shaft clamped at both ends buckles. Here p̄₀ = {static:.4g}, and with "
-            f"β_d = {TABLE_FACTOR:g} the load reaches {peak:.4g}: choose a smaller static load "
-            "factor α_s."
-        )
-    return operation.reference_load, static
+    operation.check_peak(TABLE_FACTOR, "choose a smaller static load factor α_s")
+    return operation.reference_load, operation.static_load
 
 
 def home_view(inputs: Mapping[str, Any]) -> View:

@@ -58,9 +58,9 @@ def _place(
     system, static = operation.system, operation.static_load
     reference, fundamental = operation.reference_load, operation.fundamental_frequency
     factors = np.array([round(share * largest_factor, 3) for share in _SHARES])
-    factors = factors[static + factors * reference < system.largest_load]
+    factors = factors[system.in_charts(static + factors * reference)]
     if not factors.size:
-        raise UserError("The exact stiffness law ends below every point of the chart.")
+        raise UserError("The stiffness law ends below every point of the chart.")
     table = resonances(system, static, float(factors[0]) * reference)
     low, high = frequency_range
     inside = [row for row in table.tongues if low < row.centre / fundamental < high]

@@ -89,8 +89,8 @@ MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.REFINED: 2_0
 MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
 """Largest number of steps in one period of the load in the marked point, by kind of model: 0.1 s of
 work for the multipliers, and as much for the motion."""
-EXACT_STEPS, EXACT_HARMONICS = 2400, 40
-"""As `MOST_STEPS`, for the exact law; a step costs twice as much with `EXACT_HARMONICS` harmonics
-of the stiffness."""
+LAW_STEPS, LAW_HARMONICS = 2400, 40
+"""As `MOST_STEPS`, for a law that is not linear; a step costs twice as much with `LAW_HARMONICS`
+harmonics of the stiffness."""
 MOST_SAMPLES = 6000
 """Largest number of samples of the response in the marked point; more would slow the page."""

@@ -180,7 +180,7 @@ def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int
     if system.law is None:
         return limits.MOST_STEPS[model.kind]
     harmonics = system.law.harmonic_count(*np.array(loads))
-    return int(limits.EXACT_STEPS / (1 + harmonics / limits.EXACT_HARMONICS))
+    return int(limits.LAW_STEPS / (1 + harmonics / limits.LAW_HARMONICS))
 
 
 @shared_cache(64)

@@ -10,6 +10,7 @@ from functools import cached_property
 
 from rotorstab import System
 
+from ..reading.user_error import UserError
 from ..state import State
 from .curves import reference_load, rotor_numbers
 from .model import Model, model_of
@@ -82,6 +83,27 @@ class Operation:
     def pulsating_load(self, factor: float) -> float:
         """Return p̄_t [EI/L²] of a dynamic load factor β_d."""
         return factor * self.reference_load
+
+    def check_peak(self, factor: float, advice: str) -> None:
+        """Raise UserError where the load at a factor β_d is past the end of the stiffness law.
+
+        Parameters
+        ----------
+        factor : float
+            β_d.
+        advice : str
+            What the user can do, with which the message ends.
+        """
+        peak = self.static_load + self.pulsating_load(factor)
+        law = self.system.law
+        if law is None or self.system.in_charts(peak):
+            return
+        raise UserError(
+            f"With the {law.name} stiffness law the load must stay below "
+            f"p̄ = {self.system.largest_load:.4g}, {law.pole_meaning}. Here "
+            f"p̄₀ = {self.static_load:.4g}, and with β_d = {factor:g} the load reaches {peak:.4g}: "
+            f"{advice}."
+        )
 
     def excitation_frequency(self, ratio: float) -> float:
         """Return θ̄ [√(EI/(ρAL⁴))] of a ratio θ/ω_n."""

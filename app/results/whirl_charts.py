@@ -37,10 +37,10 @@ def whirl_chart(key: str, operation: Operation, stiffness: str, seen: View | Non
         return campbell_chart(curves, spin, critical, ranges)
     cases = load_cases(model.kind, tangency, stiffness)
     # the flutter load is that of the linear law, whatever law the curves are of
-    has_exact = any(case.law == "exact" for case in cases)
+    has_other_law = any(case.law != "linear" for case in cases)
     limits = {
         "buckling": operation.buckling_load,
-        "flutter, linear" if has_exact else "flutter": flutter(model.rotor, spin),
+        "flutter, linear" if has_other_law else "flutter": flutter(model.rotor, spin),
     }
     loads = load_curves(model, spin, tangency, stiffness, seen)
     return load_frequency_chart(loads, operation.static_load, limits, ranges)

@@ -127,7 +127,7 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     whole, known = _growth(window, up.nodes, across.nodes, detail)
     undamped = model.undamped().system(window.spin_speed, window.tangency)
     mask = np.zeros((size.rows, size.columns), dtype=np.bool_)
-    inside = window.static_load + up.centres < undamped.largest_load
+    inside = undamped.in_charts(window.static_load + up.centres)
     if inside.any():
         mask[inside] = bolotin_mask(
             undamped, window.static_load, up.centres[inside], across.centres
@@ -146,7 +146,7 @@ def _growth(
     model = window.model
     system = model.system(window.spin_speed, window.tangency)
     known = _followed(window, frequencies, detail)
-    inside = loads[window.static_load + loads < system.largest_load]
+    inside = loads[system.in_charts(window.static_load + loads)]
     if known.any() and inside.size:
         known[known] = columns_within_work(
             system,

@@ -13,8 +13,8 @@ __all__ = ["FAILED", "user_message"]
 _LOG = logging.getLogger("rotorstab.app")
 FAILED = "these values could not be computed; the charts show the last ones that could"
 _PAST_POLE = (
-    "the load is past the one at which a shaft clamped at both ends buckles, and there the exact "
-    "stiffness law ends: choose a smaller load, or the linear law"
+    "the load is past the one at which the stiffness law ends: choose a smaller load, or the "
+    "linear law"
 )
 
 

@@ -122,8 +122,8 @@ def blank_parts(answer: FloquetAnswer) -> str:
     words = ""
     if math.isfinite(answer.ends_at):
         words = (
-            f" Above β_d = {answer.ends_at:.3g} the map is blank: the exact stiffness law has a "
-            "pole at this load and is not valid above it."
+            f" Above β_d = {answer.ends_at:.3g} the map is blank: the stiffness law has a pole "
+            "at this load and is not valid above it."
         )
     if answer.unknown_share > _SLIVER:
         words += (

@@ -160,7 +160,7 @@ def stability_chart(
     # rising loads below the pole, falling frequencies: rising periods
     columns = np.argsort(-all_frequencies, kind="stable")
     frequencies, magnitude = all_frequencies[columns], np.abs(all_loads)
-    valid = np.flatnonzero(static + magnitude < system.largest_load)
+    valid = np.flatnonzero(system.in_charts(static + magnitude))
     rows = valid[np.argsort(magnitude[valid], kind="stable")]
     if rows.size:
         loads, periods = magnitude[rows], 2 * np.pi / frequencies

@@ -20,7 +20,7 @@ from .stiffness import exact_stiffness, largest_exact_load, refuse_poles, second
 
 __all__ = ["STIFFNESS_LAWS", "StiffnessLaw", "exact_law"]
 
-_DIGITS = 37.0  # −ln of the rounding error, 1e-16: less than exp(−_DIGITS) of a sum does not show
+_ROUNDING_LOG = 37.0  # −ln of the rounding error, 1e-16: a smaller part of a sum does not show
 _SAMPLES_TOGETHER = 1 << 15  # evaluations of K at a time, which take some 10 MB
 
 
@@ -42,6 +42,8 @@ class StiffnessLaw:
         Smallest load [EI/L²] at which k₂₂ is infinite, inf if there is none.
     residue : float
         R [EI²/L³] of the term −R/(`pole` − p̄) of k₂₂. The other coefficients stay finite there.
+    pole_meaning : str
+        What happens at the pole, to follow its load in a sentence: "where …".
     """
 
     name: str
@@ -49,6 +51,7 @@ class StiffnessLaw:
     smooth_to: float
     pole: float = math.inf
     residue: float = 0.0
+    pole_meaning: str = ""
 
     def refuse_peaks(self, static: Array, pulsating: Array) -> None:
         """Raise PastPole if the largest load of a pulsation is at or past the pole."""
@@ -85,15 +88,15 @@ class StiffnessLaw:
         """
         # the aliasing error falls as ρ^(count − 2 points)
         rate = self._decay(static, pulsating)
-        points = math.ceil((count + _DIGITS / rate) / 2) + 1
+        points = math.ceil((count + _ROUNDING_LOG / rate) / 2) + 1
         phase = chebyshev_angles(points)
         weights = coefficient_weights(count + 1, points)
-        mean, swing = static.ravel(), pulsating.ravel()
-        harmonics = np.empty((count + 1, mean.size, 4))
+        statics, pulsatings = static.ravel(), pulsating.ravel()
+        harmonics = np.empty((count + 1, statics.size, 4))
         batch = max(1, _SAMPLES_TOGETHER // points)
-        for start in range(0, mean.size, batch):
+        for start in range(0, statics.size, batch):
             part = slice(start, start + batch)
-            load = mean[part] + np.outer(np.cos(phase), swing[part])
+            load = statics[part] + np.outer(np.cos(phase), pulsatings[part])
             samples = self.stiffness(load)
             samples[..., 1, 1] -= self.pole_term(load)
             harmonics[:, part] = (weights @ samples.reshape(points, -1)).reshape(count + 1, -1, 4)
@@ -101,7 +104,7 @@ class StiffnessLaw:
 
     def harmonic_count(self, static: Array, pulsating: Array) -> int:
         """Return how many harmonics of K, `pole_term` apart, are above rounding."""
-        return max(4, math.ceil(_DIGITS / self._decay(static, pulsating)))
+        return max(4, math.ceil(_ROUNDING_LOG / self._decay(static, pulsating)))
 
     def _decay(self, static: Array, pulsating: Array) -> float:
         """Return ln ρ, the smallest of all loads: harmonic m without `pole_term` falls as ρ^−m."""
@@ -140,6 +143,7 @@ def exact_law(shear: float, tangency: float) -> StiffnessLaw:
         smooth_to=second_exact_pole(shear),
         pole=pole,
         residue=pole * pole / (2 * np.pi**2),
+        pole_meaning="where a shaft clamped at both ends buckles",
     )
 
 

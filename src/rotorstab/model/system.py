@@ -9,7 +9,7 @@ import numpy as np
 
 from .._arguments import LARGEST, numbers
 from .._tolerances import MAP_SHORT_OF_POLE
-from .._types import AnyArray, Array, ArrayLike, Complex
+from .._types import AnyArray, Array, ArrayLike, Complex, Mask
 from .stiffness_law import StiffnessLaw
 
 __all__ = ["System", "frequencies_at_rest", "fundamental_frequency", "single_speed"]
@@ -96,6 +96,10 @@ class System:
     def largest_load(self) -> float:
         """Load [EI/L²] where charts end: 0.1 % below the pole of the stiffness, else inf."""
         return self.pole * (1 - MAP_SHORT_OF_POLE)
+
+    def in_charts(self, load: ArrayLike) -> Mask:
+        """Return where a load (...) [EI/L²] is below `largest_load`, so that charts have it."""
+        return np.asarray(np.less(load, self.largest_load))
 
     def at_speed(self, spin_speed: ArrayLike) -> System:
         """Return the same rotor at another spin speed.

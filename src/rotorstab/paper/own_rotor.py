@@ -55,7 +55,7 @@ def own_regions(
         raise ValueError("`system` must be undamped for Bolotin regions, got a damped one")
     reference = float(critical_load(shear))
     room, peak = system.largest_load / reference, max(static_factors) + largest_factor
-    if not peak < room:
+    if not system.in_charts(peak * reference):
         raise ValueError(
             f"`static_factors` + `largest_factor` must be below {room:g}, where the exact "
             f"stiffness has its pole, got {peak:g}"
