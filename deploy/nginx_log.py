@@ -36,7 +36,10 @@ def without_client(message: str) -> str:
 def record(line: str) -> None:
     """Log one line of nginx's standard error."""
     if line.startswith("{"):  # the access log, written as JSON without addresses and queries
-        print(line, file=sys.stderr, flush=True)
+        # In one piece: `print` writes the end of the line by itself where output is not buffered,
+        # and a line of a worker, which shares this stream, may come between the two.
+        sys.stderr.write(f"{line}\n")
+        sys.stderr.flush()
         return
     match = LINE.fullmatch(line)
     if match:

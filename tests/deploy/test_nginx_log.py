@@ -1,7 +1,10 @@
 """nginx's messages in the log, without the addresses and queries of students."""
 
 import json
+import os
 import socket
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -55,6 +58,36 @@ def test_nginxs_messages_are_logged_without_address_and_query(caplog, line, leve
         nginx_log.record(line)
     (found,) = caplog.records
     assert (found.levelname, found.getMessage()) == (level, message)
+
+
+WRITE_BOTH = """
+import logging
+from deploy import nginx_log, settings
+from deploy.patches import logs
+
+logs.install(settings.read({"ROTORSTAB_LOG_FORMAT": "json"}))
+nginx_log.record('{"message":"GET /app"}')
+logging.warning("of our own")
+"""
+
+
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_each_line_is_one_write_because_several_processes_share_the_stream(unbuffered):
+    """Each write to this kind of socket is a message of its own."""
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    with ours, theirs:
+        subprocess.run(
+            [sys.executable, "-c", WRITE_BOTH],
+            env=os.environ | {"PYTHONUNBUFFERED": unbuffered},
+            stderr=theirs,
+            check=True,
+        )
+        theirs.close()
+        writes = []
+        while part := ours.recv(1 << 16):
+            writes.append(part.decode())
+    assert [line[-1] for line in writes] == ["\n", "\n"]
+    assert [json.loads(line)["message"] for line in writes] == ["GET /app", "of our own"]
 
 
 @NEEDS_NGINX
