@@ -6,6 +6,8 @@ Only pictures load HoloViews.
 from __future__ import annotations
 
 import argparse
+import errno
+import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -80,8 +82,18 @@ def text_table(columns: Mapping[str, Sequence[Any]]) -> str:
 
 
 def output_path(arguments: argparse.Namespace) -> Path:
-    """Return the file that `--output` names; ValueError where only `--force` may write it."""
+    """Return the file that `--output` names, before anything is computed for it.
+
+    Raises
+    ------
+    FileNotFoundError
+        Where its folder is missing.
+    ValueError
+        Where the file exists and `--force` is not given.
+    """
     path = Path(arguments.output)
+    if not path.parent.exists():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
     if path.exists() and not arguments.force:
         raise ValueError(f"{path} exists; --force overwrites it")
     return path

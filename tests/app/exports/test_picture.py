@@ -19,15 +19,15 @@ from app.pages.marked_point import INSPECTOR_CHARTS
 from app.results.analysis import CHARTS
 from app.session import Session
 from app.state import PRESETS, State
+from rotorstab.drawing.formats import PICTURE_FORMATS
 from rotorstab.drawing.printed import SETTINGS
-from rotorstab.drawing.printed_sheet import draw_sheet
+from rotorstab.drawing.printed_sheet import draw_sheet, sheet_files
 from tests.testing.pictures import boxes_of, metadata, overlaps
 
 AT = "https://rotor.example/app"
 MARKED = {"marker": True, "marker_frequency": 1.7, "marker_factor": 0.4}
 STATES = {
-    "default": {"marker": False},
-    "marked": MARKED,
+    "no marked point": {"marker": False},
     "SI, damped, marked": {
         "units": "SI",
         **PRESETS["Table 1, 1000 rpm"],
@@ -122,7 +122,22 @@ def test_a_zoom_that_is_no_range_is_not_taken(zoomed):
 
 
 @pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
-def test_the_page_sends_the_picture_with_link_and_parameters(kind):
+def test_every_format_of_the_page_says_what_made_it(kind, files_of_a_view):
+    sheet, files = files_of_a_view
+    found = metadata(files[kind], kind)
+    assert found["link"] == sheet.link
+    assert "spin_speed = 1.25; " in found["parameters"]
+
+
+@pytest.fixture(scope="module")
+def files_of_a_view():
+    """A sheet and its files, drawn once for all formats."""
+    sheet = view_sheet(Explore(), State(spin_speed=1.25, **MARKED), f"{AT}?v=1&as=0.5")
+    return sheet, sheet_files(sheet, list(PICTURE_FORMATS))
+
+
+def test_the_page_sends_the_picture_with_link_and_parameters():
+    kind = "svg"
     session = Session()
     told = Queue()
     session.controls.send = told.put
