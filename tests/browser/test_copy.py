@@ -7,7 +7,7 @@ import pytest
 pytestmark = pytest.mark.browser
 
 NO_CLIPBOARD = """
-  Object.defineProperty(navigator, "clipboard", { value: undefined });
+  Object.defineProperty(navigator, "clipboard", { value: undefined, configurable: true });
   const copy = document.execCommand.bind(document);
   window.refused = false;
   document.execCommand = (name) => !refused && copy(name);
@@ -19,8 +19,7 @@ def ask(page, name):
     page.get_by_role("button", name=name).click()
 
 
-def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(open_page):
-    page = open_page()
+def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(page):
     page.evaluate(NO_CLIPBOARD)
     dialog = page.locator("dialog.code")
     texts = ("As Python", ""), ("Copy link", page.evaluate("location.origin"))
@@ -44,3 +43,4 @@ def test_a_text_is_copied_or_selected_with_advice_that_is_in_view(open_page):
         assert text.startswith(begins)
         assert page.evaluate("getSelection().toString().trim()") == text.strip()
         dialog.get_by_role("button", name="Close").click()
+    page.evaluate("() => { delete navigator.clipboard; delete document.execCommand; }")

@@ -89,7 +89,7 @@ def watched(browser, dashboard):
         pytest.param(820, "?v=1&spin=1.72", marks=pytest.mark.long),
     ],
 )
-def test_the_full_verdict_moves_no_chart(watched, width, query):
+def test_neither_the_full_verdict_nor_a_slider_at_rest_again_moves_a_chart(watched, width, query):
     page = watched(width, query)  # a map that the server does not know yet
     page.wait_for_timeout(300)  # a chart that moves late is seen
     found = tops(page)
@@ -97,10 +97,6 @@ def test_the_full_verdict_moves_no_chart(watched, width, query):
     assert all(len(found[key]) == 1 for key in CHART_TITLES), found
     assert sum(size for size, _ in page.evaluate("shifts")) < 0.02, page.evaluate("shifts")
 
-
-@pytest.mark.parametrize("width", [1280, 390])
-def test_a_slider_at_rest_again_moves_no_chart(watched, width):
-    page = watched(width, "?v=1&at=1&f=1.68&b=0.5")
     page.evaluate("for (const key in tops) delete tops[key]; said.clear()")
     for value in (1.96, 1.92, 1.88):
         page.evaluate("(value) => rotorstab.change('spin_speed', value)", value)
@@ -142,10 +138,15 @@ def within(inner, outer):
     )
 
 
-@pytest.mark.parametrize(("width", "height"), [(1366, 768), (1920, 1080)])
-def test_explore_fits_on_one_screen(open_page, width, height):
-    page = open_page(width, height, path="/app?v=1&at=1&f=1.68&b=0.5")
+def test_explore_fits_on_one_screen(open_page):
+    page = open_page(1366, 768, path="/app?v=1&at=1&f=1.68&b=0.5")
     settle(page)
+    fits(page, 1366, 768)
+    page.set_viewport_size({"width": 1920, "height": 1080})
+    fits(page, 1920, 1080)
+
+
+def fits(page, width, height):
     wait_for_rest(page)
     found = page.evaluate(PLACES)
     window = [0, 0, width, height]
@@ -190,9 +191,10 @@ def test_a_layer_is_switched_off_and_on_beside_the_chart(page):
         settle(page, name, defaults[name])
 
 
-def test_growth_that_is_hidden_is_named_beside_the_chart(open_page):
+def test_growth_that_is_hidden_is_named_beside_the_chart(page):
     """The scale of colours stands for the map, and is away with it."""
-    page = open_page(path="/app?v=1&growth=0")
+    page.evaluate("rotorstab.change('show_growth', false)")
+    settle(page, "show_growth", False)
     button = page.locator("[data-view=instability] .layers").get_by_role("button", name="growth")
     assert button.get_attribute("aria-pressed") == "false"
     button.click()
@@ -245,8 +247,9 @@ def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     assert page.locator(".pin-add").is_disabled()
 
 
-def test_a_chart_beside_a_lesson_keeps_its_tools(open_page):
-    page = open_page(1440, 900, path="/app#lesson/04-gyroscope/3")
+def test_a_chart_beside_a_lesson_keeps_its_tools(page):
+    page.set_viewport_size({"width": 1440, "height": 900})
+    page.evaluate("location.hash = 'lesson/04-gyroscope/3'")
     page.wait_for_function("rotorstab.lessons.running")
     tools = page.locator("[data-view=instability] .bk-Toolbar .bk-tool-icon")
     tools.nth(4).wait_for(state="visible")  # Playwright looks into shadow roots
@@ -317,19 +320,20 @@ def test_a_touch_screen_has_boxes_into_which_the_browser_does_not_zoom(open_page
     assert min(sizes) >= 16
 
 
-@pytest.mark.parametrize("width", [320, 1366])
-def test_nothing_scrolls_sideways_with_large_letters(open_page, width):
+def test_nothing_scrolls_sideways_with_large_letters(page):
     """A default font of 26 px, as set in the browser."""
-    page = open_page(width, 768)
-    page.add_style_tag(content="html { font-size: 26px !important; }")
+    style = page.add_style_tag(content="html { font-size: 26px !important; }")
     for name in ("explore", "stiffness", "lessons", "paper"):
         visit(page, name)
-        assert page.evaluate("document.documentElement.scrollWidth") <= width, name
+        for width in (320, 1366):
+            page.set_viewport_size({"width": width, "height": 768})
+            wait_for_rest(page)
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, (name, width)
+    style.evaluate("(one) => one.remove()")
 
 
-def test_forced_colours_keep_swatches_and_the_selection(open_page):
-    page = open_page(forced_colors="active")
-    settle(page)
+def test_forced_colours_keep_swatches_and_the_selection(page):
+    page.emulate_media(forced_colors="active")
     found = page.evaluate(
         """() => {
           const controls = [...Bokeh.index].find((view) => view.model.name === "controls");
@@ -345,3 +349,4 @@ def test_forced_colours_keep_swatches_and_the_selection(open_page):
     )
     assert all("gradient" in image for image in found["swatches"])
     assert found["chosen"] != found["other"]
+    page.emulate_media(forced_colors="none")

@@ -85,9 +85,10 @@ def test_explore_is_printed_as_a_sheet_in_light_colours(open_page):
     assert page.evaluate("document.documentElement.dataset.theme") == "dark"
 
 
-def test_another_page_is_printed_without_controls(open_page):
-    page = open_page()
+def test_another_page_is_printed_without_controls(page):
     visit(page, "stiffness")
     printed(page)
     assert page.locator(".print-chart").filter(visible=True).count() == 5
     assert not page.locator("header.top, #sidebar, select").filter(visible=True).count()
+    page.emulate_media(media="screen")
+    page.wait_for_function("!document.querySelector('.print-sheet')")

@@ -31,32 +31,27 @@ def shown_pages(page):
     )
 
 
-def visited(open_page, dashboard, paths):
-    """Open addresses one after the other in the same window."""
-    first, *others = paths
-    page = open_page(path=first)
-    yield page
-    for path in others:
-        page.goto(dashboard.origin + path)
-        yield page
+LONG = pytest.mark.long  # another address of a kind that one case has
+NAMES = [one.key for one in PAGES[1:]]
 
 
-def test_a_link_opens_on_its_page(open_page, dashboard):
-    spins = {one.key: 1 + number / 8 for number, one in enumerate(PAGES[1:], 1)}
-    paths = [f"/app?v=1&spin={spin}#{name}" for name, spin in spins.items()]
-    for page, (name, spin) in zip(visited(open_page, dashboard, paths), spins.items(), strict=True):
-        page.wait_for_function("(name) => window.rotorstab?.last?.page === name", arg=name)
-        assert shown_pages(page) == [name]
-        assert page.locator("nav a[aria-current]").get_attribute("href") == f"#{name}"
-        assert link(page).endswith(f"#{name}")
-        assert page.evaluate("rotorstab.last.values.spin_speed") == spin
+@pytest.mark.parametrize(
+    "name", [NAMES[0], *(pytest.param(name, marks=LONG) for name in NAMES[1:])]
+)
+def test_a_link_opens_on_its_page(open_page, name):
+    page = open_page(path=f"/app?v=1&spin=1.125#{name}")
+    page.wait_for_function("(name) => window.rotorstab?.last?.page === name", arg=name)
+    assert shown_pages(page) == [name]
+    assert page.locator("nav a[aria-current]").get_attribute("href") == f"#{name}"
+    assert link(page).endswith(f"#{name}")
+    assert page.evaluate("rotorstab.last.values.spin_speed") == 1.125
 
 
-def test_a_link_opens_on_its_lesson_and_step_as_the_sender_left_it(open_page):
-    page = open_page(path=f"/app#lesson/{LESSON.key}")
+def test_a_link_opens_on_its_lesson_and_step_as_the_sender_left_it(page, open_page):
+    page.evaluate("(key) => { location.hash = `lesson/${key}`; }", LESSON.key)
     heading = page.locator('[data-lesson="heading"]')
     heading.get_by_text(LESSON.steps[0].title).wait_for()
-    assert link(page).endswith(f"#lesson/{LESSON.key}/1")
+    page.wait_for_function(f"location.hash === '#lesson/{LESSON.key}/1'")
     page.get_by_role("button", name="Next").click()
     heading.get_by_text(LESSON.steps[1].title).wait_for()
     page.evaluate("rotorstab.change('shear', 0.0444)")
@@ -76,13 +71,14 @@ def test_a_link_opens_on_its_lesson_and_step_as_the_sender_left_it(open_page):
     assert other.evaluate("rotorstab.last.values").items() >= wanted.items()
 
 
-def test_a_senseless_step_opens_a_working_page(open_page, dashboard):
-    ends = "99", "1/2", "%3Cscript%3E"
-    paths = [f"/app?spin=1.{number}#lesson/{LESSON.key}/{end}" for number, end in enumerate(ends)]
-    for page, end in zip(visited(open_page, dashboard, paths), ends, strict=True):
-        page.wait_for_function("window.rotorstab?.last?.at_rest && Bokeh.documents[0].is_idle")
-        assert shown_pages(page) == ["explore"], end
-        assert page.locator("script:text('<b>')").count() == 0
+@pytest.mark.parametrize(
+    "end", ["%3Cscript%3E", *(pytest.param(end, marks=LONG) for end in ("99", "1/2"))]
+)
+def test_a_senseless_step_opens_a_working_page(open_page, end):
+    page = open_page(path=f"/app?spin=1.1#lesson/{LESSON.key}/{end}")
+    page.wait_for_function("window.rotorstab?.last?.at_rest && Bokeh.documents[0].is_idle")
+    assert shown_pages(page) == ["explore"]
+    assert page.locator("script:text('<b>')").count() == 0
 
 
 @pytest.mark.long

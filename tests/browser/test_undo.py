@@ -2,17 +2,27 @@
 
 import pytest
 
+from tests.testing.dashboard import open_dashboard, reset
 from tests.testing.page import box_of, drag, open_groups, settle, wait_for_value
 
 pytestmark = pytest.mark.browser
 
 
+@pytest.fixture(scope="module")
+def own_page(browser, dashboard):
+    """One page for the tests of this file: a browser counts no more than 50 earlier entries."""
+    context, page, watch = open_dashboard(browser, dashboard)
+    yield page, watch
+    context.close()
+
+
 @pytest.fixture
-def page(open_page):
-    """A page without earlier steps."""
-    found = open_page()
-    settle(found)
-    return found
+def page(own_page, dashboard):
+    """A page with few earlier steps."""
+    page, watch = own_page
+    reset(page)
+    yield page
+    watch.check(dashboard)
 
 
 def type_in(page, name, text):
@@ -21,7 +31,9 @@ def type_in(page, name, text):
     settle(page, name, float(text))
 
 
-def test_undo_and_redo_step_through_the_settings(page):
+def test_undo_and_redo_step_through_the_settings(open_page):
+    page = open_page()  # without earlier steps
+    settle(page)
     undo = page.get_by_role("button", name="Undo")
     redo = page.get_by_role("button", name="Redo")
     assert undo.is_disabled()

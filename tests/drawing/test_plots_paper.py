@@ -110,12 +110,12 @@ def test_other_formats_are_refused():
 
 def test_no_text_of_an_exported_live_chart_is_cut(monkeypatch):
     session = Session()
-    values = {"spin_speed": 1.0, "marker": True, "units": "SI", "external_damping": 0.02}
+    values = {"spin_speed": 1.0, "marker": True, "units": "SI"}
     session.respond({"type": "change", "values": values})
     for name in ("base", "a rather long name of $x"):
         session.respond({"type": "change", "values": {"polar_inertia": 0.1 * len(name)}})
         session.respond({"type": "pin", "label": name})
-    session.respond({"type": "change", "values": {"polar_inertia": 1.6}})
+    session.respond({"type": "change", "values": {"polar_inertia": 1.6, "external_damping": 0.02}})
     drawn = session.pages["explore"].compute(session.state)
     for key in CHARTS:
         figure = chart_figure(drawn[key], {})

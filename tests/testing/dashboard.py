@@ -53,13 +53,19 @@ def open_dashboard(browser, server, width=1280, height=900, path="/app", **optio
 
 
 def reset(page):
-    """Bring a page that was used back to its start: every input at its default, nothing focused."""
+    """Bring a page that was used back to its start.
+
+    Every input has its default, nothing has the focus, and the browser keeps nothing.
+    """
     page.evaluate(
         """() => {
           let focused = document.activeElement;
           while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
           focused?.blur();
           scrollTo(0, 0);
+          localStorage.clear();  // answers to lessons, the chosen theme and sliders
+          // a lesson goes on beside the charts until it is left
+          if (rotorstab.lessons.running) document.querySelector('[data-lesson="close"]').click();
           location.hash = "explore";
           rotorstab.last = {};
           rotorstab.send({ type: "reset" });
@@ -69,7 +75,7 @@ def reset(page):
     page.wait_for_function(
         """(inputs) => {
           const { page, values } = rotorstab.last;
-          return page === "explore" && Bokeh.documents[0].is_idle
+          return page === "explore" && !rotorstab.lessons.running && Bokeh.documents[0].is_idle
             && rotorstab.messages.waited() === 0
             && Object.entries(inputs).every(([name, value]) => values?.[name] === value);
         }""",

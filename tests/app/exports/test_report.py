@@ -54,9 +54,10 @@ def full():
     values |= {"marker": True, "marker_frequency": 2.0, "marker_factor": 0.3}
     pins = []
     for number in range(3):
-        pins += [{"type": "pin", "label": f"a rather long name {number}"}]
+        # without damping, where a map takes a tenth of the time
         pins += [{"type": "change", "values": {"spin_speed": 0.2 * number}}]
-    return made({"type": "change", "values": values}, *pins, at="https://rotor.example/app")
+        pins += [{"type": "pin", "label": f"a rather long name {number}"}]
+    return made(*pins, {"type": "change", "values": values}, at="https://rotor.example/app")
 
 
 def test_it_holds_the_marker_the_pins_and_the_address(full):

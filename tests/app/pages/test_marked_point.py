@@ -348,9 +348,7 @@ def settled(page):
 
 
 @pytest.mark.browser
-def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(open_page):
-    page = open_page(reduced_motion="reduce")
-    page.set_default_timeout(60_000)
+def test_click_keys_and_boxes_move_the_marker_and_the_panel_follows(page):
     box = page.locator("[data-page=explore] .plot.tall").bounding_box()
     page.mouse.click(box["x"] + 0.2 * box["width"], box["y"] + 0.6 * box["height"])
     settled(page)
