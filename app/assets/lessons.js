@@ -269,6 +269,10 @@ window.rotorstab.lessons = (() => {
       main.classList.toggle("pointed", here && running.look.length > running.charts);
       main.dataset.charts = here ? String(running.charts) : "";
       setTimeout(page.relayout, 400);
+      // on a narrow screen the first chart of the step, and its button
+      const row = document.querySelector(".explore");
+      row.scrollLeft = 0;
+      row.dispatchEvent(new Event("scroll"));
     }
     const veiled = here && predicting;
     if (page.veiled !== veiled) { page.veiled = veiled; page.paintCharts(); }
