@@ -9,7 +9,7 @@ from typing import Any
 import panel as pn
 
 from .background.processes import background
-from .background.settling import Settling
+from .background.settling import Ahead, Settling
 from .background.threads import Scheduler
 from .exports.files import Files, export, report
 from .exports.picture import picture
@@ -55,6 +55,7 @@ class Session:
         self.files = Files(self._scheduler, lambda content: self.controls.send(content), self.state)
         self.notice = ""
         self.settling = Settling(self.show_refined, self._scheduler)
+        self.ahead = Ahead(self._show_anew, self._scheduler)
         # the page and the detail that the browser shows since the last change of anything
         self._shown: tuple[Page, Detail] | None = None
         self._enter(Stage.OPENING)
@@ -219,9 +220,13 @@ class Session:
             return
         named, refused = self._problems
         self._problems = [*named, *(result for result in results if result)], refused
+        self._show_anew()
+        self._scheduler.call(self._restore_pin)
+
+    def _show_anew(self) -> None:
+        """Show what has come without a message of the browser: a pin, or its refined map."""
         self._shown = None
         self.show_refined(self._detail())
-        self._scheduler.call(self._restore_pin)
 
     def show_refined(self, detail: Detail) -> None:
         """Show a finer picture that has been made: the full map, then the refined one.
@@ -243,6 +248,7 @@ class Session:
         if settled:
             return self._redraw(self._detail())
         self.settling.drop()
+        self.ahead.drop()
         return self._redraw(Detail.COARSE)
 
     def _detail(self) -> Detail:
@@ -257,6 +263,8 @@ class Session:
                 with pn.io.hold():
                     page.show(self.state, detail)
                 self._shown = page, detail
+            if detail is Detail.REFINED:
+                self.ahead.request(page.later(self.state))
             self.notice = ""
             content = page.answer(self.state, detail)
             for other in self.pages.values():

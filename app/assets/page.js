@@ -46,7 +46,8 @@
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
             case "Text":
-              model.setv({ text_color: { value: ink }, background_fill_color: { value: card } }, quiet); break;
+              // the name of a pin has the colour of its curves
+              model.setv({ ...(model.text_color?.field ? {} : { text_color: { value: ink } }), background_fill_color: { value: card } }, quiet); break;
           }
         }
       }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from functools import partial
 
@@ -12,7 +12,7 @@ from ..results.window import FloquetMap, Window, floquet_map
 from .processes import background
 from .threads import Scheduler
 
-__all__ = ["Settling"]
+__all__ = ["Ahead", "Settling"]
 
 
 class Settling:
@@ -80,3 +80,36 @@ class Settling:
         if detail is Detail.REFINED:
             self._awaited = None
         self._show(detail)
+
+
+class Ahead:
+    """Has refined maps made that a page shows besides its own, one after the other.
+
+    `show` is called by the scheduler when one of them is there, or could not be made.
+    """
+
+    def __init__(self, show: Callable[[], None], scheduler: Scheduler) -> None:
+        self._show = show
+        self._settling = Settling(self._made, scheduler)
+        self._wanted: Window | None = None
+        self._given_up: set[Window] = set()
+
+    def request(self, windows: Sequence[Window]) -> None:
+        """Have the first of some maps made, but those that could not be made before."""
+        self._wanted = next((one for one in windows if one not in self._given_up), None)
+        if self._wanted is None:
+            self._settling.drop()
+        else:
+            self._settling.detail(self._wanted)
+
+    def drop(self) -> None:
+        """Cancel what was requested; what could not be made may be tried again."""
+        self._settling.drop()
+        self._given_up.clear()
+
+    def _made(self, detail: Detail) -> None:
+        if detail is not Detail.REFINED or self._wanted is None:
+            return
+        if known_detail(self._wanted) is not Detail.REFINED:
+            self._given_up.add(self._wanted)
+        self._show()

@@ -41,6 +41,7 @@ __all__ = [
     "file_message",
     "making",
     "making_message",
+    "prepared",
     "report",
     "snapshot",
 ]
@@ -98,7 +99,10 @@ class Files:
         """Return what the browser is sent at once, and have the rest made and sent."""
         if reply.follow_up is not None:
             need, answer = reply.follow_up
-            if need is None or self._scheduler.document is None:  # nobody else waits
+            if need is not None and self._scheduler.document is None:  # nobody else waits
+                need.keep(need.function(*need.arguments))
+                need = None
+            if need is None:
                 return {**reply.content, **self.start(answer())}
             made = background.request(need.function, *need.arguments)
             self._follow(made, need, partial(self._go_on, need, answer), reply.failure)
@@ -192,6 +196,14 @@ def export(page: Page, state: State, message: Mapping[str, Any], query: str = ""
     return Reply({"told": "no such chart"})
 
 
+def prepared(page: Page, state: State, answer: Callable[[], Reply]) -> Reply:
+    """Return an answer once every map is there that the page shows, also those of its pins."""
+    need = page.need(state)
+    if need is None:
+        return answer()
+    return Reply(follow_up=(need, partial(prepared, page, state, answer)))
+
+
 def making_message(name: str) -> dict[str, str]:
     """Return what the user is told while a file is being made."""
     return {"told": f"making {name} …"}
@@ -219,7 +231,7 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str, link: str) ->
         file = printer.file(cache_key, figure, kind, owner)
         return Reply(making_message(name), file, partial(file_message, name, FORMATS[kind].mime))
 
-    return Reply(making_message(name), follow_up=(page.need(state), answer))
+    return Reply(making_message(name), follow_up=(None, partial(prepared, page, state, answer)))
 
 
 def _export_figure(
@@ -263,7 +275,7 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
 
         return Reply(making_message(name), gather(list(pictures.values())), file_content)
 
-    return Reply(making_message(name), follow_up=(page.need(state), answer))
+    return Reply(making_message(name), follow_up=(None, partial(prepared, page, state, answer)))
 
 
 def _print_part(chart: Chart, page: Page, state: State, owner: State) -> Future[bytes]:

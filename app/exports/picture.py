@@ -18,7 +18,7 @@ from ..results.analysis import CHARTS, solve
 from ..state import State
 from ..words.refusals import user_message
 from ..words.si import named_inputs, shown_scales
-from .files import file_message, making_message, snapshot
+from .files import file_message, making_message, prepared, snapshot
 from .report import view_link
 from .rows import number_rows, parameter_rows, pin_sentence
 from .seen import as_seen, zooms
@@ -48,7 +48,7 @@ def picture(explore: Page, owner: State, query: str, message: Mapping[str, Any])
         mime = PICTURE_FORMATS[kind].mime
         return Reply(making_message(name), file, partial(file_message, name, mime))
 
-    return Reply(making_message(name), follow_up=(page.need(state), answer))
+    return Reply(making_message(name), follow_up=(None, partial(prepared, page, state, answer)))
 
 
 def view_sheet(

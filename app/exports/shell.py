@@ -51,6 +51,8 @@ def described_sheet(text: str) -> Sheet:
         if problem:
             raise ValueError(f"a pin of the link has no answer: {problem}")
     try:
+        while (need := page.need(state)) is not None:
+            need.keep(need.function(*need.arguments))
         return view_sheet(page, state, link)
     except ValueError as error:
         raise ValueError(user_message(error)) from error

@@ -7,19 +7,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from bokeh.models import ColumnDataSource, GlyphRenderer, MultiLine, Scatter
+from bokeh.models import ColumnDataSource, GlyphRenderer, MultiLine, Scatter, Text
 
 from rotorstab.charts import Layer
 from rotorstab.drawing import screen
 
 __all__ = ["COMING_AND_GOING", "overlay"]
 
-COMING_AND_GOING = frozenset({"marker", "marker ruler", "pins"})
+COMING_AND_GOING = frozenset(
+    {"marker", "marker ruler", "pins", "pinned boundary", "pinned edge", "pin name"}
+)
 """Labels of the layers that are drawn here and not by HoloViews."""
 
 
 def overlay(figure: Any, layer: Layer) -> tuple[ColumnDataSource, GlyphRenderer]:
-    """Add a "lines" or "points" layer on top; return its empty source and its renderer."""
+    """Add lines, points or labels on top; return their empty source and their renderer."""
     source = ColumnDataSource({name: [] for name in screen.columns(layer)})
     if layer.kind == "lines":
         glyph: Any = MultiLine(
@@ -27,7 +29,23 @@ def overlay(figure: Any, layer: Layer) -> tuple[ColumnDataSource, GlyphRenderer]
             ys="ys",
             line_color={"field": "color"},
             line_dash={"field": "dash"},
-            line_width={"field": "width"},
+            # Bolotin's boundaries of a pin step back behind its outlines
+            line_width=0.7 if layer.label == "pinned boundary" else {"field": "width"},
+        )
+    elif layer.kind == "labels":
+        glyph = Text(
+            x="x",
+            y="y",
+            text="name",
+            text_color={"field": "color"},
+            text_align={"field": "align"},
+            text_baseline={"field": "baseline"},
+            x_offset={"field": "dx"},
+            y_offset={"field": "dy"},
+            text_font_size="9pt",
+            text_font_style="bold",
+            background_fill_color="white",
+            background_fill_alpha=0.7,
         )
     else:
         look = dict(screen.POINT_LOOKS[layer.label])

@@ -120,9 +120,13 @@ class Page:
         """Return the window whose refined map is not there yet, if the page shows one."""
         return None
 
+    def later(self, state: State) -> tuple[Window, ...]:
+        """Return the windows of further maps that the page shows once they are refined."""
+        return ()
+
     def need(self, state: State) -> Need | None:
         """Return what must be made before the refined charts are computed quickly, if anything."""
-        window = self.awaited(state)
+        window = self.awaited(state) or next(iter(self.later(state)), None)
         if window is None:
             return None
         wanted = window, Detail.REFINED

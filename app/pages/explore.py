@@ -33,7 +33,8 @@ from ..words.si import displayed, shaft_words, shown_scales, si_answer
 from ..words.verdict import verdict
 from .base import FRAGMENTS, Page, Reply, Stage
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
-from .pins import Pin, differences, pin, solve_pin, with_pins
+from .pinned_charts import PinnedCharts
+from .pins import Pin, differences, pin, solve_pin
 
 __all__ = ["Explore"]
 
@@ -58,6 +59,7 @@ class Explore(Page):
     def __init__(self) -> None:
         super().__init__()
         self.pins: list[Pin] = []
+        self._pinned = PinnedCharts()
         self._unsolved_pins: list[PinnedInputs] = []  # of the address
         # the last inspection, and what it was made of
         self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
@@ -83,7 +85,8 @@ class Explore(Page):
         top = self.fitted.get(state.growth_unit)
         if top is not None:
             charts = charts | {"instability": with_top(charts["instability"], top)}
-        charts = with_pins(displayed(charts, state, result.numbers), self.pins, shown_scales(state))
+        charts = displayed(charts, state, result.numbers)
+        charts = self._pinned.added(charts, self.pins, state, result, self.views)
         if marked:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
@@ -111,6 +114,14 @@ class Explore(Page):
         except ValueError:  # `compute` raises the same error, for the user
             return None
         return None if known_detail(window) is Detail.REFINED else window
+
+    def later(self, state: State) -> tuple[Window, ...]:
+        """Return the windows whose refined maps make the outlines of pins exact."""
+        try:
+            now = solve(state, Detail.COARSE, self.view)
+            return self._pinned.windows(self.pins, state, now, self.view)
+        except ValueError:
+            return ()
 
     def cache_key(self) -> tuple[Any, ...]:
         """Return names, numbers and inputs of the pins, and the scales of the colours."""
@@ -144,6 +155,9 @@ class Explore(Page):
             "Bolotin region": state.show_bolotin,
             "boundary": state.show_bolotin,
             "boundary name": state.show_bolotin,
+            "pinned edge": state.show_growth,
+            "pin name": state.show_growth,
+            "pinned boundary": state.show_bolotin,
         }
 
     def frames(self, state: State) -> dict[str, Frame]:

@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from rotorstab import Scales
-from rotorstab.charts import Chart, Layer, load_unit, written
+from rotorstab.charts import load_unit, written
 
 from ..results.analysis import Result, solve, window_of
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
 from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
-from ..words.si import chart_in_si, key_numbers, quantities_in_si, shown_scales
+from ..words.si import key_numbers, quantities_in_si, shown_scales
 from ..words.typography import with_unit
 
-__all__ = ["Pin", "differences", "pin", "solve_pin", "with_pins"]
+__all__ = ["Pin", "differences", "pin", "solve_pin"]
 
-_CURVES = {"instability": "boundary", "load-frequency": "whirl", "campbell": "whirl"}
 # labels, non-dimensional and in SI; {} is the unit of load of the present shaft
 _NUMBERS = {
     "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [{}]"),
@@ -34,10 +31,12 @@ _NUMBERS = {
 
 @dataclass(frozen=True, eq=False)
 class Pin(PinnedInputs):
-    """A pinned setting with its curves.
+    """A pinned setting with its numbers.
 
     Parameters
     ----------
+    state : State
+        Its inputs; it does not change.
     result : Result
     scales : Scales
         Of its own shaft.
@@ -45,6 +44,7 @@ class Pin(PinnedInputs):
         Whether the shares of the window are those of a refined map.
     """
 
+    state: State
     result: Result
     scales: Scales
     refined: bool
@@ -62,7 +62,7 @@ def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
 
 
 def solve_pin(pinned: PinnedInputs) -> Pin:
-    """Return a pinned setting with its curves.
+    """Return a pinned setting with its numbers.
 
     Raises
     ------
@@ -73,56 +73,7 @@ def solve_pin(pinned: PinnedInputs) -> Pin:
     # no curve depends on the growth map: a refined one is used only if it is there
     refined = known_detail(window_of(state)) is Detail.REFINED
     result = solve(state, Detail.REFINED if refined else Detail.COARSE)
-    return Pin(pinned.name, pinned.number, pinned.inputs, result, state.scales(), refined)
-
-
-def with_pins(
-    charts: dict[str, Chart], pins: Sequence[Pin], scales: Scales | None
-) -> dict[str, Chart]:
-    """Return the charts with the pinned curves added.
-
-    Parameters
-    ----------
-    charts : dict of str to Chart
-    pins : sequence of Pin
-    scales : Scales or None
-        Of the present shaft if the charts are in SI, or None.
-    """
-    if not pins:
-        return charts
-    return {
-        key: replace(chart, layers=(*chart.layers, _pinned_curves(chart, pins, scales)))
-        if key in _CURVES
-        else chart
-        for key, chart in charts.items()
-    }
-
-
-def _pinned_curves(now: Chart, pins: Sequence[Pin], scales: Scales | None) -> Layer:
-    """Return the pinned curves, without those that are equal to a present one."""
-    label = _CURVES[now.key]
-    present = now.layer(label).columns
-    columns: dict[str, list[Any]] = {key: [] for key in ("xs", "ys", "name", "role", "group")}
-    for pin in pins:
-        chart = pin.result.charts[now.key]
-        if scales is not None:
-            chart = chart_in_si(chart, pin.scales, pin.result.numbers, load_unit(scales))
-        kept = chart.layer(label).columns
-        for x, y, name, role in zip(
-            *(kept[key] for key in ("xs", "ys", "name", "role")), strict=True
-        ):
-            covered = any(
-                np.array_equal(y, new_y, equal_nan=True)
-                and np.array_equal(x, new_x, equal_nan=True)
-                for new_x, new_y in zip(present["xs"], present["ys"], strict=True)
-            )
-            if not covered and role != "synchronous":
-                columns["xs"].append(x)
-                columns["ys"].append(y)
-                columns["name"].append(f"{pin.name}: {name}")
-                columns["role"].append(f"pin {pin.number}")
-                columns["group"].append(pin.name)
-    return Layer("lines", "pins", columns)
+    return Pin(pinned.name, pinned.number, pinned.inputs, state, result, state.scales(), refined)
 
 
 def _shown(value: Any) -> str:

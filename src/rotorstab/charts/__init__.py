@@ -1,13 +1,14 @@
 """Charts as data: what every picture shows, before any drawing library.
 
 Read `structure` first (a `Chart` is axes and layers of named columns), then the charts
-(`instability` with `tongues`, `whirl`, `stiffness`, `point`), `si` for their units, and `figure`
-for charts as panels of a figure. The live page, print and tables all see the same arrays.
+(`instability` with `tongues`, `whirl`, `stiffness`, `point`, `pinned`), `si` for their units, and
+`figure` for charts as panels of a figure. The live page, print and tables all see the same arrays.
 """
 
 from .figure import Figure, Statement, chart_figure
 from .instability import instability_chart
 from .numbers import LOAD_UNITS, load_unit, written
+from .pinned import outline_name
 from .point import marker_layer, multiplier_chart, orbit_chart, pair_layers, response_chart
 from .roles import ROLES, Role
 from .si import chart_factors, in_seconds, in_si
@@ -39,6 +40,7 @@ __all__ = [
     "marker_layer",
     "multiplier_chart",
     "orbit_chart",
+    "outline_name",
     "pair_layers",
     "response_chart",
     "stiffness_charts",

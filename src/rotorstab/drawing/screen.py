@@ -120,6 +120,8 @@ def columns(layer: Layer) -> dict[str, Any]:
     if layer.kind == "labels":
         sides = [_SIDES[side] for side in data["side"]]
         result |= {key: [side[key] for side in sides] for key in ("align", "baseline", "dx", "dy")}
+        if "role" in data:
+            result["color"] = [ROLES[role].color for role in data["role"]]
     return result
 
 

@@ -10,7 +10,7 @@ import pytest
 from panel.io.state import set_curdoc
 
 from app.background import settling
-from app.background.settling import Settling
+from app.background.settling import Ahead, Settling
 from app.background.threads import Scheduler
 from app.results import growth_maps
 from app.results.analysis import window_of
@@ -183,3 +183,41 @@ def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
 def test_without_a_server_everything_is_made_at_once(fresh):
     assert pn.state.curdoc is None
     assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is REFINED
+
+
+def look_ahead(monkeypatch, work, windows, ticks):
+    """Have maps made ahead; return how often they were shown."""
+    monkeypatch.setattr(settling, "background", work)
+    shown = []
+
+    async def play():
+        page = Page()
+
+        def missing():
+            return [one for one in windows if known_detail(one) is not REFINED]
+
+        def show():
+            shown.append(len(missing()))
+            ahead.request(missing())
+
+        with set_curdoc(page):
+            ahead = Ahead(show, Scheduler())
+            ahead.request(missing())
+            await page.ticks(ticks)
+
+    run(play())
+    return shown
+
+
+def test_maps_of_pins_are_made_one_after_the_other(fresh, monkeypatch):
+    other = replace(WINDOW, spin_speed=2.3456)
+    work = Here()
+    assert look_ahead(monkeypatch, work, [WINDOW, other], 4) == [1, 0]
+    assert work.asked == [FULL, REFINED, FULL, REFINED]
+
+
+def test_a_map_of_a_pin_that_cannot_be_made_does_not_keep_the_next_one_waiting(fresh, monkeypatch):
+    other = replace(WINDOW, spin_speed=2.3456)
+    work = Here(failing=[FULL])
+    look_ahead(monkeypatch, work, [WINDOW, other], 2)
+    assert work.asked == [FULL, FULL]  # each of them once

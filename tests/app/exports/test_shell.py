@@ -52,8 +52,10 @@ def test_what_a_link_shows_is_what_the_page_shows(link):
     assert sheet.link == link
     assert sheet.sentence
     assert "slow (Ω̄ = 1)" in sheet.paragraphs[-1]
-    pinned = [chart.layer("pins").columns["name"] for chart in sheet.charts[:2]]
-    assert all(names and names[0].startswith("slow: ") for names in pinned)
+    labels = [("pinned boundary", "pinned edge"), ("pins",)]
+    for chart, pinned in zip(sheet.charts, labels, strict=False):
+        for label in pinned:
+            assert chart.layer(label).columns["name"][0].startswith("slow: ")
 
 
 @pytest.mark.parametrize(

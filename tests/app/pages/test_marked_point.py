@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from app.live.overlay import COMING_AND_GOING
 from app.pages.animation import mean_angular_speed
 from app.pages.marked_point import INSPECTOR_CHARTS, inspect
 from app.reading.user_error import UserError
@@ -64,7 +65,7 @@ def test_without_a_marker_nothing_of_it_is_made():
     assert answer["pins"] is None
     assert set(session.pages["explore"].charts) == set(CHARTS)
     for chart in session.pages["explore"].charts.values():
-        assert not {"marker", "marker ruler", "pins"} & set(chart.sources)
+        assert not COMING_AND_GOING & set(chart.sources)
 
 
 def test_a_page_opens_with_a_moving_shaft_and_its_charts_come_with_the_second_message():
@@ -319,8 +320,14 @@ def test_pins_keep_curves_and_tell_what_differs(session):
     for number in (1, 2, 3, 9):
         answer = session.respond({"type": "unpin", "number": number})
     assert answer["pins"] is None
-    for key in CHARTS:
-        assert len(data(session, key, "pins")["xs"]) == 0
+    for key, label in (
+        ("instability", "pinned boundary"),
+        ("instability", "pinned edge"),
+        ("instability", "pin name"),
+        ("load-frequency", "pins"),
+        ("campbell", "pins"),
+    ):
+        assert all(len(column) == 0 for column in data(session, key, label).values())
 
 
 # -- in a browser --------------------------------------------------------------------------------
