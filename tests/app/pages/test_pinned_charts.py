@@ -84,7 +84,7 @@ def test_a_pin_in_SI_lies_where_its_own_shaft_puts_it():
     inside = (own[0] > 0.2 * right) & (own[0] < 0.5 * right) & (own[1] < 0.5 * top)
     for at in np.flatnonzero(inside)[::7]:
         step = np.hypot((x - own[0][at]) / right, (y - own[1][at]) / top)
-        assert np.nanmin(step) < 0.03
+        assert np.nanmin(step) < 0.045  # a line of 13 points
 
 
 def test_pins_follow_a_zoom_of_the_other_charts():
