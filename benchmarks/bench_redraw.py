@@ -61,7 +61,9 @@ class Tab:
         self.page.set_default_timeout(60_000)
         self.page.goto(url, timeout=300_000)  # a floor first computes all that it will show
         self.page.wait_for_function("window.Bokeh?.documents[0]?.is_idle")
-        self.page.wait_for_function("!window.rotorstab || window.rotorstab.last")
+        self.page.wait_for_function(
+            "!window.rotorstab || rotorstab.last?.settled && rotorstab.inspector.ready"
+        )
         time.sleep(1.5)  # late layout
         self.page.evaluate(PROBE)
 

@@ -15,7 +15,7 @@ from app.state import State
 from app.words.units import Units
 from app.words.verdict import verdict
 from rotorstab import TABLE_1_SI, ShaftDisk
-from rotorstab.charts import chart_factors, chart_figure, in_si, multiplier_chart
+from rotorstab.charts import chart_factors, chart_figure, in_si, multiplier_chart, written
 from rotorstab.drawing import screen
 from rotorstab.drawing.tables import figure_csv
 
@@ -213,7 +213,7 @@ def test_the_report_in_si_holds_the_verdict_in_si(result):
     page = report_html(state, result.numbers, [words], {"a": "<svg></svg>"}, "v=1")
     assert as_html(words) in page
     buckling = result.numbers["buckling"] * SCALES.load
-    assert f"{buckling:.6g}" in page
+    assert written(buckling, 6) in page
 
 
 def test_the_colours_of_an_exported_map_name_the_unit_of_their_numbers():
