@@ -253,11 +253,13 @@
   // -- pages: the hash of the address names the visible page -------------------------
   function visit() {
     const sections = [...document.querySelectorAll("[data-page]")];
-    const wanted = location.hash.slice(1);
+    const [wanted] = location.hash.slice(1).split("/"); // behind it follows a choice of the page
     const chosen = sections.find((section) => section.dataset.page === wanted) || sections[0];
     for (const section of sections) section.hidden = section !== chosen;
     mark();
-    if (page.send) page.send({ type: "page", name: chosen.dataset.page });
+    if (!page.send) return;
+    page.send({ type: "page", name: chosen.dataset.page });
+    if (chosen.dataset.page === "paper") page.paper.visit();
   }
 
   // the current entry of the menu: a running lesson counts as Lessons, although it shows the charts of Explore

@@ -25,7 +25,7 @@ from ..background.printing import gather, printer
 from ..background.processes import background
 from ..background.threads import Scheduler
 from ..pages.base import Need, Page, Reply
-from ..pages.paper import figure_need, is_figure
+from ..pages.paper import Choice, figure_need, is_figure
 from ..results.analysis import CHARTS, solve
 from ..results.comparisons import paper_figure
 from ..state import State
@@ -239,7 +239,7 @@ def _export_figure(
 ) -> Reply:
     name = f"rotorstab-figure-{number}{'-floquet' if floquet else ''}.{kind}"
     address = page_address(message.get("at"))
-    link = f"{address}#paper" if address else ""
+    link = f"{address}{Choice(number, floquet).fragment}" if address else ""
 
     def answer() -> Reply:
         figure = paper_figure(number, floquet)

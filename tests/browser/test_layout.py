@@ -211,23 +211,6 @@ def test_pages_without_parameters_have_no_sidebar(page, key):
     assert page.locator("#sidebar").is_visible()
 
 
-def test_words_on_the_white_picture_can_be_read_in_the_dark(page):
-    visit(page, "paper")
-    page.evaluate("document.documentElement.dataset.theme = 'dark'")
-    colours = page.evaluate(
-        """() => {
-          const words = document.createElement("p");
-          words.className = "sub";
-          document.querySelector(".picture").append(words);
-          const found = [words, words.parentElement].map((one) => getComputedStyle(one).color);
-          words.remove();
-          document.documentElement.dataset.theme = "light";
-          return found;
-        }"""
-    )
-    assert colours[0] == colours[1]
-
-
 def test_no_number_of_the_pins_table_breaks_on_a_phone(open_page):
     page = open_page(390, 900, path="/app?v=1&u=SI&p1=spin_1~~slow&p2=md_8~~heavy&p3=as_0.4~~c")
     # each pin of an address is solved in a turn of its own

@@ -154,7 +154,7 @@ def test_an_address_is_read_and_the_legend_names_the_curves_that_are_drawn(open_
     assert named() == ["axial", "follower"]
 
 
-def test_a_figure_that_is_being_made_shows_no_words_of_another(page):
+def test_a_figure_that_is_being_made_shows_nothing_of_another(page):
     visit(page, "paper")
     title = page.locator("[data-paper=title]")
     title.filter(has_text="Figure 6. ").wait_for()
@@ -162,9 +162,11 @@ def test_a_figure_that_is_being_made_shows_no_words_of_another(page):
     page.evaluate("window.sends = rotorstab.send; rotorstab.send = () => {}")
     page.get_by_role("button", name="Fig. 9", exact=True).click()
     assert title.text_content() == "Figure 9"
-    for part in ("caption", "parameters", "reading", "settings"):
+    for part in ("caption", "parameters", "reading", "legend"):
         assert page.locator(f"[data-paper={part}]").text_content() == ""
-    assert page.locator("[data-paper=picture]").text_content() == "Drawing …"
-    page.evaluate("rotorstab.paper.answer({ not_drawn: 'It was <b>not</b> drawn.' })")
-    assert page.locator("[data-paper=picture]").text_content() == "It was <b>not</b> drawn."
+    plot = page.locator("[data-panel=figure-a] .plot > div")
+    assert plot.evaluate("(one) => getComputedStyle(one).visibility") == "hidden"
+    page.evaluate("rotorstab.paper.answer({ not_drawn: 'It was <b>not</b> computed.' })")
+    problem = page.locator("[data-paper=problem]")
+    assert problem.inner_text() == "It was <b>not</b> computed."
     page.evaluate("rotorstab.send = sends")

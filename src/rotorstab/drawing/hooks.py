@@ -17,6 +17,7 @@ __all__ = [
     "apply_hatch",
     "apply_label_places",
     "apply_line_styles",
+    "as_areas",
     "as_patches",
     "bare_colours",
     "finish",
@@ -95,12 +96,13 @@ def apply_hatch(plot: Any, _: Any) -> None:
 
 
 def apply_label_places(plot: Any, _: Any) -> None:
-    """Let every label stand on its own side of its point."""
+    """Let every label stand on its own side of its point, upright where its side says so."""
     plot.handles["glyph"].update(
         text_align={"field": "align"},
         text_baseline={"field": "baseline"},
         x_offset={"field": "dx"},
         y_offset={"field": "dy"},
+        angle={"field": "angle"},
         background_fill_color="white",
         background_fill_alpha=0.7,
     )
@@ -116,6 +118,20 @@ def as_patches(plot: Any, _: Any) -> None:
     mapper = next(part for key, part in plot.handles.items() if key.endswith("color_mapper"))
     colours = {"field": "growth", "transform": mapper}
     renderer.glyph = Patches(xs="xs", ys="ys", fill_color=colours, line_color=None)
+    states = dict.fromkeys(("selection_glyph", "nonselection_glyph", "muted_glyph"), "auto")
+    renderer.update(hover_glyph=None, **states)
+
+
+def as_areas(plot: Any, _: Any) -> None:
+    """Draw polygons as patches without an outline that take their colour from the source."""
+    renderer = plot.handles["glyph_renderer"]
+    renderer.glyph = Patches(
+        xs="xs",
+        ys="ys",
+        fill_color={"field": "color"},
+        fill_alpha=0.4,
+        line_color=None,
+    )
     states = dict.fromkeys(("selection_glyph", "nonselection_glyph", "muted_glyph"), "auto")
     renderer.update(hover_glyph=None, **states)
 

@@ -6,6 +6,7 @@ that a live chart is patched and not drawn again.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -26,6 +27,7 @@ from .hooks import (
     apply_hatch,
     apply_label_places,
     apply_line_styles,
+    as_areas,
     as_patches,
     bare_colours,
     finish,
@@ -55,7 +57,7 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "above left": {"align": "right", "baseline": "top", "dx": -1, "dy": 2},
     "above right": {"align": "left", "baseline": "top", "dx": 1, "dy": 2},
     "foot": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
-    "upright": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
+    "upright": {"align": "left", "baseline": "top", "dx": 3, "dy": 0, "angle": math.pi / 2},
 }
 _DIAMOND = {"marker": "diamond", "size": 10, "color": PRESENT, "line_color": "white"}
 # by the label of the layer; shape and filling tell what the colour tells
@@ -83,6 +85,11 @@ DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
 
+def _thin(width: float) -> float:
+    """Return the width of an outline: many of them stand close together."""
+    return min(width, ROLES["edge"].width)
+
+
 def columns(layer: Layer) -> dict[str, Any]:
     """Return the Bokeh data-source columns of one layer, by the names HoloViews gives them."""
     data = layer.columns
@@ -106,7 +113,7 @@ def columns(layer: Layer) -> dict[str, Any]:
             "ys": [[[y]] for y in data["ys"]],
             "name": list(data["name"]),
         }
-    if layer.kind in ("lines", "outlines"):
+    if layer.kind in ("lines", "areas", "outlines"):
         roles = [ROLES[role] for role in data["role"]]
         return {
             "xs": list(data["xs"]),
@@ -114,12 +121,16 @@ def columns(layer: Layer) -> dict[str, Any]:
             "name": list(data["name"]),
             "color": [role.color for role in roles],
             "dash": [role.dash for role in roles],
-            "width": [role.width for role in roles],
+            "width": [
+                _thin(role.width) if layer.kind == "outlines" else role.width for role in roles
+            ],
         }
     result = {"x": np.asarray(data["x"]), "y": np.asarray(data["y"]), "name": list(data["name"])}
     if layer.kind == "labels":
         sides = [_SIDES[side] for side in data["side"]]
-        result |= {key: [side[key] for side in sides] for key in ("align", "baseline", "dx", "dy")}
+        keys = ("align", "baseline", "dx", "dy")
+        result |= {key: [side[key] for side in sides] for key in keys}
+        result["angle"] = [side.get("angle", 0.0) for side in sides]
         if "role" in data:
             result["color"] = [ROLES[role].color for role in data["role"]]
     return result
@@ -169,6 +180,16 @@ def _draw_bands(chart: Chart, layer: Layer) -> hv.Polygons:
     )
 
 
+def _draw_areas(chart: Chart, layer: Layer) -> hv.Polygons:
+    """Return polygons filled with the colour of their role."""
+    (left, right), (low, high) = chart.x_range, chart.y_range
+    # a drawing of no polygons has no source of its own: this one lies beyond the window
+    beyond = {"x": [right, 2 * right - left, right], "y": [high, 2 * high - low, high], "name": ""}
+    return hv.Polygons([beyond], vdims=["name"], label=layer.label).opts(
+        hv.opts.Polygons(tools=[hover(chart)], hooks=[as_areas], backend="bokeh")
+    )
+
+
 def _draw(chart: Chart, layer: Layer) -> hv.Element:
     """Return one layer's HoloViews element, styled for Bokeh."""
     data = columns(layer)
@@ -192,6 +213,8 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
                 backend="bokeh",
             )
         )
+    if layer.kind == "areas":
+        return _draw_areas(chart, layer)
     if layer.kind in ("lines", "outlines", "edges"):
         extra = ["name", "color", "dash", "width"]
         rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
