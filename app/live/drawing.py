@@ -12,7 +12,7 @@ from typing import Any
 import holoviews as hv
 from bokeh.core.serialization import Deserializer, Serializer
 
-from rotorstab.charts import Chart
+from rotorstab.charts import Chart, Layer
 from rotorstab.drawing import screen
 
 from ..results.caches import shared_cache
@@ -57,11 +57,22 @@ class _Kind:
     chart: Chart = field(compare=False)
 
 
+def _short(layer: Layer) -> Layer:
+    """Return a layer with its first rows: HoloViews takes long for many, and its data is not kept.
+
+    Two rows, since HoloViews draws several polygons in another way than one.
+    """
+    if layer.kind in ("map", "bands", "edges"):
+        return layer
+    return replace(layer, columns={key: column[:2] for key, column in layer.columns.items()})
+
+
 @shared_cache(64)
 def _drawn(kind: _Kind) -> tuple[Any, Chart]:
     """Return a figure in Bokeh's serial form, and the chart drawn."""
     layers = kind.chart.layers
-    plot = _RENDERER.get_plot(screen.element(kind.chart))
+    short = replace(kind.chart, layers=tuple(map(_short, layers)))
+    plot = _RENDERER.get_plot(screen.element(short))
     parts: list[dict[str, Any]] = [subplot.handles for subplot in plot.subplots.values()]
     layer_parts = list(zip(layers, parts, strict=True))
     figure = plot.state
