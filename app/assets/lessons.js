@@ -284,6 +284,8 @@ window.rotorstab.lessons = (() => {
     running = step;
     cancelAnimationFrame(frame);
     arrival = null;
+    // the table of tongues of the step before would tell an answer
+    for (const pop of document.querySelectorAll("[popover]:popover-open")) pop.hidePopover();
     start = "";
     moved = false;
     busy(false);
@@ -342,6 +344,7 @@ window.rotorstab.lessons = (() => {
       if (!held) focusTo = "title";
     } else if (wanted && step !== undefined && step !== running.step) go(step);
     else if (wanted) name();
+    else if (running && ["", "#explore"].includes(location.hash)) end(); // Explore is the whole dashboard again
     visited = true;
     if (running) stand();
   }
@@ -356,11 +359,18 @@ window.rotorstab.lessons = (() => {
     chosen = false;
   }
 
-  function leave() {
+  function end() {
     running = null;
     asked = "";
+    cancelAnimationFrame(frame);
+    arrival = null;
     page.send({ type: "lesson-end" });
+    veil(false);
     stand();
+  }
+
+  function leave() {
+    end();
     location.hash = "lessons";
     document.querySelector("#main").focus();
   }

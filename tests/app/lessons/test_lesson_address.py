@@ -72,6 +72,10 @@ def test_a_prediction_is_not_given_away_and_a_unit_is_no_wrong_answer(page):
     page.locator(".lesson-words.right").wait_for()
     page.get_by_role("button", name="Details").click()
     page.locator("#details", has_text="1B+1F").wait_for()
+    # nor is the next one, by what is open
+    page.get_by_role("button", name="Next").press("Enter")
+    at_step(page, 2)
+    assert page.locator("#details").is_hidden()
 
 
 def test_nothing_of_the_old_step_acts_while_the_new_one_is_under_way(page):
@@ -260,9 +264,10 @@ PLACES = """() => [...document.querySelectorAll(".plot, .lesson-form, .lesson-mo
 }).join()"""
 
 
-def test_a_right_answer_shows_what_its_text_speaks_of_and_nothing_jumps(open_page):
-    page = open_page(1366, 768, path="/app#lesson/01-parametric-resonance/4")
-    at_step(page, 4)
+def test_a_right_answer_shows_what_its_text_speaks_of_and_nothing_jumps(page):
+    page.set_viewport_size({"width": 1366, "height": 768})
+    start = page.evaluate("rotorstab.last.values")
+    go_to(page, "01-parametric-resonance/4")
     page.wait_for_function("rotorstab.veiled && rotorstab.inspector.ready")
     # before the prediction the point of the step cannot be moved
     before = page.evaluate(
@@ -292,11 +297,17 @@ def test_a_right_answer_shows_what_its_text_speaks_of_and_nothing_jumps(open_pag
     at_step(page, 4)
     page.wait_for_function("rotorstab.last.values.marker_frequency === 1")
     page.locator(".lesson-words.right").wait_for()
+    # Explore is the whole dashboard again, as it was before the lesson
+    page.get_by_role("link", name="Explore").click()
+    page.locator("#sidebar").wait_for(state="visible")
+    assert page.locator(".lesson").is_hidden()
+    page.wait_for_function("rotorstab.last.values.marker_follows")
+    assert page.evaluate("rotorstab.last.values") == start
 
 
-def test_a_wrong_answer_moves_nothing_and_a_shown_one_does(open_page):
-    page = open_page(path="/app#lesson/04-gyroscope/1", reduced_motion="no-preference")
-    at_step(page, 1)
+def test_a_wrong_answer_moves_nothing_and_a_shown_one_does(page):
+    page.emulate_media(reduced_motion="no-preference")
+    go_to(page, "04-gyroscope/1")
     page.wait_for_function("rotorstab.veiled")
     choose(page, 0)
     page.locator(".lesson-words.hint").wait_for()
@@ -306,6 +317,7 @@ def test_a_wrong_answer_moves_nothing_and_a_shown_one_does(open_page):
     page.wait_for_function("(v => v > 0 && v < 1)(rotorstab.last.values.spin_speed)")
     page.locator(".lesson-words.shown").wait_for()
     assert page.evaluate("rotorstab.last.values.spin_speed") == 1
+    page.emulate_media(reduced_motion="reduce")
 
 
 def test_a_lost_connection_is_told_wherever_one_is_on_the_page(page):

@@ -533,6 +533,23 @@ def test_a_width_tells_its_load():
     assert answer["lesson_numbers"]["tongue.1B+1F.width"].endswith(" at β_d = 0.5")
 
 
+def test_a_panel_of_the_marked_point_without_a_point_lets_the_student_mark_one(
+    tmp_path, monkeypatch
+):
+    text = EXAMPLE.replace('"load-frequency"', '["instability", "inspector"]')
+    (tmp_path / "own.md").write_text(text, encoding="utf-8")
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    library.cache_clear()
+    session = Session()
+    free = [
+        session.respond({"type": "lesson", "lesson": "own", "step": step})["lesson"]["free"]
+        for step in (0, 1)
+    ]
+    library.cache_clear()
+    marker = ["marker", "marker_frequency", "marker_factor"]
+    assert free == [["static_load_factor", *marker], []]
+
+
 def test_colours_can_be_compared_within_a_step():
     session = Session()
 
