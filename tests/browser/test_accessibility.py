@@ -102,6 +102,9 @@ def test_tooltips_open_by_mouse_and_by_keyboard(page, name):
     assert text.get_attribute("role") == "tooltip"
 
 
+COLOURS = "cat.color"  # the rules of axe that the theme matters for
+
+
 def themed(page):
     """Go through both themes."""
     for theme in ("dark", "light"):
@@ -115,7 +118,8 @@ def test_axe_finds_nothing_serious(page):
     for name in [one.key for one in PAGES][::-1]:
         visit(page, name)
         for theme in themed(page):
-            assert serious_faults(page) == [], (name, theme)
+            rules = COLOURS if theme == "dark" else None
+            assert serious_faults(page, rules=rules) == [], (name, theme)
 
 
 def test_axe_finds_nothing_serious_on_a_phone(open_page):
@@ -124,7 +128,7 @@ def test_axe_finds_nothing_serious_on_a_phone(open_page):
     wait_for_rest(page)
     assert serious_faults(page) == []
     page.evaluate("document.documentElement.dataset.theme = 'light'")
-    assert serious_faults(page) == []
+    assert serious_faults(page, rules=COLOURS) == []
 
 
 OPEN = "?v=1&at=1&f=1.68&b=0.5&u=SI&spin=99&p1=spin_1~~slow&p2=load_follower~~follower#explore"
@@ -137,12 +141,14 @@ def test_axe_finds_nothing_serious_with_everything_open(open_page, width):
     page.get_by_role("heading", name="The shaft in motion").wait_for(state="visible")
     page.locator(".notice").get_by_text("Ignored in the address: spin").wait_for()
     for theme in themed(page):
-        assert serious_faults(page) == [], theme
+        rules = COLOURS if theme == "dark" else None
+        assert serious_faults(page, rules=rules) == [], theme
     page.locator("details.share-menu summary").click()
     page.get_by_role("button", name="As Python").click()
     page.locator("dialog.code").wait_for(state="visible")
     for theme in themed(page):
-        assert serious_faults(page, "dialog.code") == [], theme
+        rules = COLOURS if theme == "dark" else None
+        assert serious_faults(page, "dialog.code", rules) == [], theme
 
 
 @pytest.mark.long

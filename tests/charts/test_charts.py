@@ -8,7 +8,7 @@ from pathlib import Path
 import holoviews as hv
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.live.chart import LiveChart
@@ -23,6 +23,7 @@ from rotorstab.charts.roles import STYLES
 from rotorstab.charts.structure import Chart, Layer
 from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
+from tests.testing.amounts import examples
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
 KINDS = {"regions", "outlines", "lines", "points", "labels", "map", "bands", "edges"}
@@ -94,7 +95,7 @@ def test_the_charts_of_every_preset_are_sound(preset, detail):
     assert all(sound(chart) for chart in found.values())
 
 
-@settings(max_examples=15)
+@examples(15)
 @given(
     st.fixed_dictionaries(
         {

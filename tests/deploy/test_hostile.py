@@ -22,6 +22,7 @@ from app.state.rotor_file import read_rotor_file, write_rotor_file
 from app.words.verdict import verdict
 from rotorstab import BASE_CASE, lumped, stability_chart, whirl_frequencies
 from tests.testing import hostile, spy
+from tests.testing.amounts import part_of
 from tests.testing.wire import encoded
 
 SEED = 20260601
@@ -100,7 +101,7 @@ def test_the_spy_keeps_its_own_account():
 
 def test_hostile_values_never_reach_the_solver(session):
     rng = random.Random(SEED)
-    for number in range(40):  # messages of 30 values each
+    for number in range(part_of(40)):  # messages of 30 values each
         answer = session.respond({"type": "change", "values": hostile.values(rng, 30)})
         in_bounds(session.state)
         json.dumps(answer, allow_nan=False)
@@ -111,7 +112,7 @@ def test_hostile_values_never_reach_the_solver(session):
 
 def test_hostile_messages_never_reach_the_solver(session):
     rng = random.Random(SEED + 1)
-    for _ in range(100):
+    for _ in range(part_of(100)):
         message = hostile.message(rng)
         before = session.state.inputs()
         answer = session.respond(message)

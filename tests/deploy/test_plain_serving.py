@@ -78,6 +78,7 @@ def test_the_app_s_file_is_served_from_another_folder_below_a_prefix(tmp_path):
         server.stop()
 
 
+LONG = pytest.mark.long  # the same lines of main.py, reached in the other way
 WITHOUT = """
 import sys
 from panel.command import main
@@ -87,8 +88,16 @@ main()
 """
 
 
-@pytest.mark.parametrize("path", [ROOT / "app", ROOT / "app" / "main.py"])
-@pytest.mark.parametrize("module", ["rotorstab", "app", "deploy"])
+@pytest.mark.parametrize(
+    ("module", "path"),
+    [
+        ("rotorstab", ROOT / "app"),
+        ("app", ROOT / "app"),
+        ("deploy", ROOT / "app" / "main.py"),
+        *(pytest.param(one, ROOT / "app" / "main.py", marks=LONG) for one in ("rotorstab", "app")),
+        pytest.param("deploy", ROOT / "app", marks=LONG),
+    ],
+)
 def test_panel_says_in_one_line_that_the_project_is_not_installed(tmp_path, module, path):
     done = subprocess.run(
         [sys.executable, "-c", WITHOUT.format(module=module, path=str(path))],

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from benchmarks.bench_margin import judged, random_case
@@ -18,6 +18,7 @@ from rotorstab import (
     resonances,
     stability_margin,
 )
+from tests.testing.amounts import examples
 from tests.testing.example_rotors import P, W, reference_growth
 
 
@@ -195,7 +196,7 @@ def test_a_pair_that_meets_between_two_loads_and_parts_faster_is_found(offset):
     assert below < 1e-8 < above
 
 
-@settings(max_examples=8)
+@examples(8)
 @given(
     st.integers(0, 10**6),
     st.lists(st.floats(0.5, 9.0), min_size=2, max_size=4),

@@ -203,11 +203,15 @@ def frame_of(page, key):
     return page.evaluate(FRAME, key)
 
 
-def serious_faults(page, part=None):
-    """Return what axe finds serious or critical, in short; of the whole page, or of a part."""
+def serious_faults(page, part=None, rules=None):
+    """Return what axe finds serious or critical, in short.
+
+    Of the whole page or of a part, by all rules or by those of a tag such as "cat.color".
+    """
     from axe_playwright_python.sync_playwright import Axe
 
-    findings = Axe().run(page, context=part).response["violations"]
+    options = {"resultTypes": ["violations"]} | ({"runOnly": [rules]} if rules else {})
+    findings = Axe().run(page, context=part, options=options).response["violations"]
     return [
         (one["id"], [node["target"] for node in one["nodes"]][:3])
         for one in findings

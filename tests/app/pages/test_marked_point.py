@@ -214,7 +214,11 @@ def test_a_seed_gives_one_noise(session):
         {"marker_factor": 0.0},
         {"marker_factor": 2.0, "static_load_factor": 0.95, "load_type": "follower"},
         {"model": "finite elements", "initial": "mode 2F"},
-        {"law": "exact", "load_type": "follower", "reference": "flutter", "marker_factor": 2.0},
+        # a map of ten seconds; tests/app/exports/test_snippet.py has this law up to its pole
+        pytest.param(
+            {"law": "exact", "load_type": "follower", "reference": "flutter", "marker_factor": 2.0},
+            marks=pytest.mark.long,
+        ),
         {"spin_speed": 0.0, "initial": "mode 1B"},
         {"shear": 0.0, "polar_inertia": 0.0, "initial": "noise"},
         {"reference": "flutter", "static_load_factor": 0.95, "initial": "mode 1F"},
