@@ -5,8 +5,7 @@ import pytest
 pytestmark = pytest.mark.browser
 
 
-def test_click_inspect_pin_share_reopen_export(open_page):
-    page = open_page()
+def test_click_inspect_pin_share_reopen_export(page, open_page):
     chart = page.locator("[id='page-explore'], [data-page='explore']").locator(".plot.tall").first
     box = chart.bounding_box()
     page.mouse.click(box["x"] + 0.35 * box["width"], box["y"] + 0.5 * box["height"])
@@ -25,6 +24,7 @@ def test_click_inspect_pin_share_reopen_export(open_page):
     )
     wanted = page.evaluate("rotorstab.last.values")
     link = page.evaluate("location.pathname + location.search")
+    page.evaluate("rotorstab.send({ type: 'unpin', number: 1 })")
 
     again = open_page(1280, 900, link)
     assert again.evaluate("rotorstab.last.values") == pytest.approx(wanted)

@@ -3,6 +3,7 @@
 import pytest
 
 from app.lessons import library, solution
+from tests.testing.page import visit
 
 pytestmark = pytest.mark.browser
 LESSON = library().lessons["04-gyroscope"]
@@ -78,8 +79,8 @@ def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
         pytest.param('{"04-gyroscope": {"at": 99, "steps": 1}}', marks=pytest.mark.long),
     ],
 )
-def test_spoilt_progress_is_no_obstacle(open_page, stored):
-    page = open_page(path="/app#lessons")
+def test_spoilt_progress_is_no_obstacle(page, stored):
+    visit(page, "lessons")
     page.evaluate("text => localStorage.setItem('rotorstab-lessons', text)", stored)
     page.reload()
     page.wait_for_function("window.rotorstab?.last?.page === 'lessons'")

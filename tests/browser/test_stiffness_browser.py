@@ -9,8 +9,8 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.mark.parametrize(("width", "height"), [(1366, 768), (1920, 1080)])
-def test_stiffness_fits_on_one_screen(open_page, width, height):
-    page = open_page(width, height)
+def test_stiffness_fits_on_one_screen(page, width, height):
+    page.set_viewport_size({"width": width, "height": height})
     visit(page, "stiffness")
     size = page.evaluate(
         "[document.documentElement.scrollWidth, document.documentElement.scrollHeight]"
@@ -28,8 +28,8 @@ def test_stiffness_fits_on_one_screen(open_page, width, height):
 
 
 @pytest.mark.parametrize("width", [1366, 390])
-def test_stiffness_offers_the_inputs_that_change_its_charts(open_page, width):
-    page = open_page(width, 768)
+def test_stiffness_offers_the_inputs_that_change_its_charts(page, width):
+    page.set_viewport_size({"width": width, "height": 768})
     visit(page, "stiffness")
     assert page.locator("#rs-shear").is_visible()
     for name in ("static_load_factor", "spin_speed", "disk_mass", "polar_inertia"):

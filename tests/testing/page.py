@@ -206,11 +206,13 @@ def frame_of(page, key):
 def serious_faults(page, part=None, rules=None):
     """Return what axe finds serious or critical, in short.
 
-    Of the whole page or of a part, by all rules or by those of a tag such as "cat.color".
+    Of the whole page or of a part, by all rules or by some.
     """
     from axe_playwright_python.sync_playwright import Axe
 
-    options = {"resultTypes": ["violations"]} | ({"runOnly": [rules]} if rules else {})
+    options = {"resultTypes": ["violations"]} | (
+        {"runOnly": {"type": "rule", "values": rules}} if rules else {}
+    )
     findings = Axe().run(page, context=part, options=options).response["violations"]
     return [
         (one["id"], [node["target"] for node in one["nodes"]][:3])

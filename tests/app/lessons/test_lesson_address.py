@@ -20,13 +20,6 @@ def at_step(page, number):
     page.wait_for_function(f"{SHOWN}.includes('step {number} of')")
 
 
-def test_a_link_to_a_step_sets_it_up(open_page):
-    """With settings in the address: see tests/browser/test_return.py."""
-    page = open_page(path="/app#lesson/07-damping/4")
-    at_step(page, 4)
-    page.wait_for_function(f"rotorstab.last.values.spin_speed === {SPIN}")
-
-
 def test_a_step_beyond_the_last_is_the_last(open_page):
     page = open_page(path="/app#lesson/07-damping/99")
     at_step(page, len(LESSON.steps))
@@ -34,24 +27,26 @@ def test_a_step_beyond_the_last_is_the_last(open_page):
     page.get_by_text("this is the last one").wait_for()
 
 
-def test_back_goes_to_the_step_before_and_sliders_leave_no_entry(open_page):
-    # a page of its own, because a browser counts no more than 50 entries
-    page = open_page(path="/app#lesson/07-damping/3")
-    at_step(page, 3)
+def test_a_link_sets_a_step_up_and_back_goes_to_the_step_before(open_page):
+    """With settings in the address: see tests/browser/test_return.py."""
+    page = open_page(path="/app#lesson/07-damping/4")
+    at_step(page, 4)
+    page.wait_for_function(f"rotorstab.last.values.spin_speed === {SPIN}")
+    # sliders leave no entry
     entries = page.evaluate("history.length")
     page.evaluate("rotorstab.change('external_damping', 0.03)")
     page.wait_for_function("location.search.includes('0.03')")
     assert page.evaluate("history.length") == entries
     page.get_by_role("button", name="Next").click()
-    at_step(page, 4)
+    at_step(page, 5)
     page.wait_for_function(f"history.length === {entries + 1}")
     # the menu says where one is
     assert page.locator("nav a[aria-current]").text_content() == "Lessons"
     page.go_back()
-    at_step(page, 3)
-    page.wait_for_function("location.hash === '#lesson/07-damping/3'")
-    page.go_forward()
     at_step(page, 4)
+    page.wait_for_function("location.hash === '#lesson/07-damping/4'")
+    page.go_forward()
+    at_step(page, 5)
 
 
 def test_a_prediction_is_not_given_away_and_a_unit_is_no_wrong_answer(page):
