@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from rotorstab import STIFFNESS_LAWS
 from rotorstab.charts import ROLES, Role
-from rotorstab.drawing.formats import FORMATS
+from rotorstab.drawing.formats import FORMATS, PICTURE_FORMATS
 
 from .background.threads import turn
 from .exports.rows import input_labels
@@ -165,6 +165,7 @@ def build() -> pn.Template:
     template.add_variable("marker_color", ROLES["marker"].color)
     template.add_variable("download", download)
     template.add_variable("formats", tuple(FORMATS))
+    template.add_variable("picture_formats", tuple(PICTURE_FORMATS))
     template.add_variable("looks", session.looks())
     template.add_variable("labels", input_labels())
     return template

@@ -1,8 +1,8 @@
 """The dashboard's own commands: `rotorstab serve` and `rotorstab picture`.
 
 The command line of the library finds `add_command` through the entry-point group
-`rotorstab.commands` of pyproject.toml, so the library never imports the dashboard. This module
-needs the standard library only: `rotorstab --help` loads it.
+`rotorstab.commands` of pyproject.toml, so the library never imports the dashboard. `rotorstab
+--help` loads this module, so it imports nothing of the extra `app` before a command runs.
 """
 
 from __future__ import annotations
@@ -65,6 +65,10 @@ def _add_serve(commands: Any) -> None:
 
 
 def _add_picture(commands: Any) -> None:
+    # loaded already: the library's command line offers these formats too
+    from rotorstab.drawing.formats import PICTURE_FORMATS
+
+    endings = " ".join(f".{name}" for name in PICTURE_FORMATS)
     parser: argparse.ArgumentParser = commands.add_parser(
         "picture",
         help="a view of the dashboard as one page, without a browser",
@@ -78,7 +82,7 @@ def _add_picture(commands: Any) -> None:
         "'as=0.5&spin=2', or a rotor file .toml",
     )
     parser.add_argument(
-        "--output", metavar="FILE", required=True, help="the file to write: .pdf .svg .png"
+        "--output", metavar="FILE", required=True, help=f"the file to write: {endings}"
     )
     parser.add_argument("--force", action="store_true", help="overwrite an existing file")
     parser.set_defaults(run=save_picture)

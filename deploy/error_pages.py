@@ -26,12 +26,12 @@ TEXTS: dict[int, tuple[str, tuple[str, ...]]] = {
     403: ("This is not allowed here", ("The server did not accept this request.",)),
     404: ("There is no such page", ("The address may be mistyped.",)),
     405: ("This is not allowed here", ("Pages of this server can only be read.",)),
-    413: ("This is too large", ("Nothing is sent to this address; files are read by the page.",)),
+    413: ("This is too large", ("This address accepts no uploads.",)),
     414: (
         "This address is too long",
         (
             f"It has more than {LONGEST_ADDRESS} characters, so its parameters cannot be read.",
-            "The dashboard opens with its own.",
+            "The dashboard opens with its default parameters.",
         ),
     ),
     421: (

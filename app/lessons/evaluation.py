@@ -42,7 +42,7 @@ def evaluate(name: str, inputs: Mapping[str, Any], load: float | None = None) ->
     inputs : mapping
         Every input of `State`, by name.
     load : float, optional
-        Steady load p̄₀ instead of α_s times the reference; tension below 0 [EI/L²].
+        Static load p̄₀ instead of α_s times the reference; tension below 0 [EI/L²].
 
     Returns
     -------

@@ -38,7 +38,7 @@ QUANTITIES = (
     Quantity(
         "whirl.<mode>",
         "whirl {0}, ω̄",
-        "signed whirl frequency of a mode at the steady load (forward above 0), real part",
+        "signed whirl frequency of a mode at the static load (forward above 0), real part",
         lambda at, mode: at.whirl(mode).real,
     ),
     Quantity(
@@ -65,7 +65,7 @@ QUANTITIES = (
         "load at which the rotor flutters under a follower load, at its spin speed, lumped model",
         lambda at: flutter(at.rotor, at.spin),
     ),
-    Quantity("static_load", "steady load p̄_0", "the steady load p̄₀", lambda at: at.static),
+    Quantity("static_load", "static load p̄_0", "the static load p̄₀", lambda at: at.static),
     Quantity(
         "critical.<way>",
         "first critical speed, {0}",
@@ -93,7 +93,7 @@ QUANTITIES = (
     Quantity(
         "tongue.<pair>.width",
         "tongue {0}, width in θ/ω_n",
-        "its whole width in θ/ωₙ at the marker's β_d; 0 where there is none",
+        "its whole width in θ/ωₙ at β_d of the marked point; 0 where there is none",
         lambda at, pair: 2 * at.pair(pair).half_width / at.fundamental,
         at_factor=True,
     ),
@@ -112,7 +112,7 @@ QUANTITIES = (
     Quantity(
         "tongue.<pair>.growth",
         "tongue {0}, growth rate",
-        "growth rate at its centre at the marker's β_d",
+        "growth rate at its centre at β_d of the marked point",
         lambda at, pair: at.pair(pair).growth,
         at_factor=True,
     ),
@@ -125,32 +125,35 @@ QUANTITIES = (
     Quantity(
         "tongue.<pair>.exists",
         "tongue {0} is there",
-        "1 where this pair resonates at the marker's β_d, else 0",
+        "1 where this pair resonates at β_d of the marked point, else 0",
         lambda at, pair: float(at.pair(pair).unstable),
-        True,
+        flag=True,
+        at_factor=True,
     ),
     Quantity(
         "tongues",
         "tongues in all",
-        "how many of the six pairs resonate at the marker's β_d",
+        "how many pairs of modes resonate at β_d of the marked point",
         lambda at: float(len(at.table.tongues)),
+        at_factor=True,
     ),
     Quantity(
         "threshold",
-        "threshold: β_d that damping holds",
+        "threshold β_d",
         "the smallest β_d that destabilises, by the resonance table",
         _threshold,
     ),
     Quantity(
         "bolotin.<mode>",
         "Bolotin boundary {0}, θ/ω_n",
-        "Bolotin's boundary of a mode at the marker's β_d, θ/ωₙ",
+        "Bolotin's boundary of a mode at β_d of the marked point, θ/ωₙ",
         lambda at, mode: at.boundary(mode) / at.fundamental,
+        at_factor=True,
     ),
     Quantity(
         "bolotin.inside",
-        "marker in a Bolotin region",
-        "1 where the marker lies in a Bolotin region, else 0",
+        "marked point in a Bolotin region",
+        "1 where the marked point lies in a Bolotin region, else 0",
         lambda at: float(
             in_bolotin_region(at.operation.undamped, at.static, at.pulsating, at.frequency)
         ),
@@ -158,33 +161,33 @@ QUANTITIES = (
     ),
     Quantity(
         "growth",
-        "growth rate σ̄ at the marker",
-        "growth rate at the marker, from Floquet",
+        "growth rate σ̄ at the marked point",
+        "growth rate at the marked point, by Floquet's method",
         lambda at: float(at.floquet.growth_rate),
     ),
     Quantity(
         "unstable",
-        "unstable at the marker",
-        "1 where the rotor is unstable at the marker, from Floquet, else 0",
+        "unstable at the marked point",
+        "1 where the rotor is unstable at the marked point, by Floquet's method, else 0",
         lambda at: float(motion_of(at.floquet) is Motion.GROWS),
         True,
     ),
     Quantity(
         "multiplier.largest",
         "largest multiplier |μ|",
-        "the largest Floquet multiplier's modulus at the marker",
+        "the largest modulus of a Floquet multiplier at the marked point",
         lambda at: float(np.abs(at.floquet.multipliers).max()),
     ),
     Quantity(
         "multiplier.to_minus_one",
         "distance of a multiplier from −1",
-        "distance of the nearest Floquet multiplier from −1 at the marker",
+        "distance of the nearest Floquet multiplier from −1 at the marked point",
         lambda at: float(np.abs(at.floquet.multipliers + 1).min()),
     ),
     Quantity(
         "spin_limit",
-        "spin speed Ω̄ where steady motion grows",
-        "lowest spin speed at which the steady motion grows without pulsation",
+        "spin speed Ω̄ where the whirl grows",
+        "lowest spin speed at which a whirl grows without pulsation",
         lambda at: at.spin_limit(),
     ),
     Quantity(

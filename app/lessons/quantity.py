@@ -31,7 +31,8 @@ class Quantity:
     flag : bool
         Whether it is a yes (1) or no (0).
     at_factor : bool
-        Whether it depends on the marker's β_d, with a marker or without; the page then shows β_d.
+        Whether it depends on β_d of the marked point but not on its θ/ωₙ. The page shows β_d with
+        the number, since such a quantity has a value without a marked point too.
     """
 
     form: str

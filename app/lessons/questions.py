@@ -178,7 +178,7 @@ def _choices(entries: Any, table: Table) -> Iterator[Choice]:
 def case_inputs(
     case: Mapping[str, Any], after: Mapping[str, Any], table: Table | None = None
 ) -> tuple[dict[str, Any], float | None]:
-    """Return the inputs of a case, and its own steady load or None.
+    """Return the inputs of a case, and its own static load or None.
 
     `after` are the inputs after Try, from which those of the case differ.
     """

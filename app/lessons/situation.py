@@ -29,7 +29,7 @@ from ..state import State
 __all__ = ["LARGEST_LOAD", "Situation"]
 
 LARGEST_LOAD = 6.0
-"""Largest magnitude of a case's own steady load [EI/L²]."""
+"""Largest magnitude of a case's own static load [EI/L²]."""
 
 
 class Situation:
@@ -40,7 +40,7 @@ class Situation:
     inputs : mapping
         Every input of `State`, by name.
     load : float or None
-        Steady load p̄₀ instead of α_s times the reference [EI/L²].
+        Static load p̄₀ instead of α_s times the reference [EI/L²].
     """
 
     def __init__(self, inputs: Mapping[str, Any], load: float | None = None) -> None:
@@ -109,7 +109,7 @@ class Situation:
         return float(chart.frequency[-1, chart.names.index(mode)])
 
     def spin_limit(self) -> float:
-        """Return the lowest spin speed at which the steady motion grows; inf if none is found."""
+        """Return the lowest spin speed at which a whirl grows by itself; inf if none is found."""
         speeds = np.linspace(0.0, float(State.param.spin_speed.bounds[1]), 401)
         for _ in range(3):
             roots = whirl_frequencies(self.operation.system.at_speed(speeds), self.static)

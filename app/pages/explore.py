@@ -253,7 +253,7 @@ class Explore(Page):
         if made is None:
             return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
         self._add(made)
-        return Reply({"told": f"{made.name} is kept"})
+        return Reply({"told": f"{made.name} was added"})
 
     def _add(self, made: Pin) -> None:
         self.pins = sorted([*self.pins, made], key=lambda pin: pin.number)
@@ -341,7 +341,7 @@ def _open_rotor_file(text: object, state: State) -> Reply:
     try:
         values, left_out = read_rotor_file(text if isinstance(text, str) else "")
     except UserError as error:
-        return Reply({"shaft_error": str(error), "told": "the rotor file was not taken"})
+        return Reply({"shaft_error": str(error), "told": "the rotor file was refused"})
     state.change(values)
     if left_out:
         notice = f"The rotor was taken, but not {'; '.join(left_out)}."

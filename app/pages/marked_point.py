@@ -120,7 +120,7 @@ def _marked_point(state: State) -> Point:
         seed=round(state.seed) if state.initial == "noise" else 0,
         periods=round(state.periods),
     )
-    operation.check_peak(state.marker_factor, "move the marker to a lower β_d")
+    operation.check_peak(state.marker_factor, "choose a lower β_d")
     return point
 
 

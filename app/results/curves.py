@@ -166,7 +166,7 @@ def load_cases(model: str, tangency: float, stiffness: str) -> list[LoadCase]:
 def load_curves(
     model: Model, spin_speed: float, tangency: float, stiffness: str, seen: View | None = None
 ) -> dict[str, WhirlCurves]:
-    """Return whirl over steady load by the names of `load_cases`, of the part that is seen."""
+    """Return whirl over static load by the names of `load_cases`, of the part that is seen."""
     loads = _loads(model.rotor, spin_speed)
     if seen is not None:
         # no curve goes beyond this load, which moves with the rotor while a zoom stays
@@ -182,7 +182,7 @@ def load_curves(
 
 @shared_cache(128)
 def campbell(model: Model, tangency: float, load: float, seen: View | None = None) -> WhirlCurves:
-    """Return whirl over spin speed at a steady load [EI/L²], of the part that is seen."""
+    """Return whirl over spin speed at a static load [EI/L²], of the part that is seen."""
     speeds = np.linspace(0.0, LARGEST_SPEED, SPEEDS)
     system = model.system(0.0, tangency)
     return _followed(

@@ -38,8 +38,7 @@ _STEPS_PER_SAMPLE = 5  # at least
 # errors of ln|μ| and of one sample of the motion above which nothing is shown
 _RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6
 _TOO_SLOW = (
-    "One period of this load takes more steps than can be followed while others wait, since the "
-    "rotor moves or dies away too fast against it: move the marker to a higher θ/ωₙ."
+    "At this frequency one period needs more steps than the server computes. Choose a higher θ/ωₙ."
 )
 
 
@@ -119,7 +118,7 @@ def solve_point(point: Point) -> PointAnswer:
     if fastest > limits.MOST_CYCLES * point.excitation:
         raise UserError(
             f"The whirl makes {fastest / point.excitation:.0f} cycles in one period of this load, "
-            f"more than can be followed ({limits.MOST_CYCLES}): move the marker to a higher θ/ωₙ."
+            f"more than the server computes ({limits.MOST_CYCLES}). Choose a higher θ/ωₙ."
         )
     start = initial_conditions(system, point.static, point.initial, point.seed)
     steps = _most_steps(point.model, system, loads)

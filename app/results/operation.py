@@ -1,4 +1,4 @@
-"""The rotor as it is operated: its spin speed, its steady load, and what factors and ratios mean.
+"""The rotor as it is operated: its spin speed, its static load, and what factors and ratios mean.
 
 The charts, the marked point and the lessons take their loads and frequencies from here.
 """
@@ -20,7 +20,7 @@ __all__ = ["Operation", "operation_of"]
 
 @dataclass(frozen=True)
 class Operation:
-    """A rotor that spins under a steady load; every result is computed once, when needed.
+    """A rotor that spins under a static load; every result is computed once, when needed.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ class Operation:
     reference : str
         The load that load factors refer to, "buckling" or "flutter".
     own_load : float or None
-        Steady load p̄₀ instead of α_s times the reference [EI/L²].
+        Static load p̄₀ instead of α_s times the reference [EI/L²].
     """
 
     model: Model
@@ -111,7 +111,7 @@ class Operation:
 
 
 def operation_of(state: State, own_load: float | None = None) -> Operation:
-    """Return the operation of the present inputs, with a steady load of its own if there is one."""
+    """Return the operation of the present inputs, with a static load of its own if there is one."""
     return Operation(
         model_of(state),
         state.spin_speed,

@@ -20,21 +20,21 @@ class PointInputs(param.Parameterized):
     marker = Boolean(
         Facts("at"),
         default=True,
-        label="Marker",
+        label="Marked point",
         doc="Shows the multipliers and the motion at one point of the instability chart.",
     )
     marker_follows = Boolean(
         Facts("follow"),
         default=True,
-        label="Marker follows the tongue",
-        doc="The marker stays inside the tongue 1B+1F of the present rotor until it is moved.",
+        label="Marked point follows the tongue",
+        doc="The marked point stays inside the tongue 1B+1F of the rotor until you move it.",
     )
     marker_frequency = Number(
         Facts("f", symbol="θ/ωₙ"),
         default=1.68,
         bounds=(0.05, 40.0),
         step=0.01,
-        label="Marker frequency",
+        label="Marked point, frequency",
         doc="θ/ωₙ of the marked point.",
     )
     marker_factor = Number(
@@ -42,7 +42,7 @@ class PointInputs(param.Parameterized):
         default=0.5,
         bounds=(0.0, 2.0),
         step=0.01,
-        label="Marker factor",
+        label="Marked point, load factor",
         doc="β_d of the marked point.",
     )
     initial = Selector(

@@ -37,7 +37,7 @@ class RotorInputs(param.Parameterized):
         bounds=(0.0, 0.95),
         step=0.01,
         label="Static load factor",
-        doc="Steady part of the load as a fraction of the reference load. Compression is positive.",
+        doc="Static part of the load as a fraction of the reference load. Compression is positive.",
     )
     spin_speed = Number(
         Facts("spin", DESCRIPTIVE | Use.PRESET, symbol="Ω̄"),
@@ -45,7 +45,7 @@ class RotorInputs(param.Parameterized):
         bounds=(0.0, 4.0),
         step=0.02,
         label="Spin speed",
-        doc="Constant rotation speed, in units of √(EI/ρAL⁴).",
+        doc="Constant spin speed, in units of √(EI/ρAL⁴).",
     )
     shear = Number(
         Facts("phi", DESCRIPTIVE, symbol="Φ"),

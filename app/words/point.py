@@ -39,7 +39,7 @@ def point_sentence(floquet: FloquetSolution, excitation: float, table: Resonance
     excitation : float
         θ̄.
     table : ResonanceTable
-        Of the same rotor under the same steady load.
+        Of the same rotor under the same static load.
 
     Examples
     --------
@@ -96,9 +96,7 @@ def describe(
         f"{_multipliers(floquet, period)}. "
     )
     if result.floquet.table.mean_is_unstable:
-        sentence += (
-            "The steady motion grows by itself, without any pulsation, so no tongue is named."
-        )
+        sentence += "The whirl grows without any pulsation, so no tongue is named."
         return facts, sentence
     sentence += _bolotin_words(bolotin, motion is Motion.GROWS, region)
     if pair is not None:

@@ -153,9 +153,9 @@ def shaft_words(state: State) -> dict[str, Any]:
     ]
     in_use = state.shaft_in_use()
     words = ", ".join(quantities)
-    where = "what the charts show" if in_use else "the sliders have other values"
+    use = "The charts use these values." if in_use else "The charts use other values."
     return {
-        "words": f"{words}: {where}.",
+        "words": f"{words}. {use}",
         "in_use": in_use,
         "good": True,
     }

@@ -57,10 +57,10 @@ def smallest_load(answer: FloquetAnswer, units: Units) -> str:
     table = answer.table
     if table.mean_is_unstable:
         rate = units.rate_words(table.mean_growth)
-        return f"The rotor is unstable without any pulsation: its steady motion grows at {rate}."
+        return f"The rotor is unstable without any pulsation: its whirl grows at {rate}."
     first = min(table, key=lambda row: row.threshold)
     if not math.isfinite(first.threshold):
-        return "To first order no pulsation, however large, makes two modes resonate."
+        return "To first order no pulsating load makes two modes grow together."
     if first.threshold == 0:
         return (
             "Without damping any pulsation, however small, destabilises the rotor at the centre of "
@@ -82,7 +82,7 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
     if math.isnan(true):
         return ""
     if answer.detail is Detail.COARSE:
-        return " Shares of the window and the slowest loads follow once the sliders rest."
+        return " The shares and the lowest frequencies are computed when the sliders rest."
     place = "the computed part of this window" if _is_part(answer) else "this window"
     if answer.table.mean_is_unstable:
         if true == 1:

@@ -92,7 +92,7 @@ def test_nothing_in_si_is_non_dimensional_or_has_an_exponent(shaft):
     assert not [text for text in texts if "\u0304" in text or EXPONENT.search(text)]
     unit = "MN" if shaft else "N"
     assert page.answer(state)["si"]["load_unit"] == unit
-    words = [text for text in texts if "P_t = " in text or "steady load P [" in text]
+    words = [text for text in texts if "P_t = " in text or "static load P [" in text]
     assert len(words) >= 3
     for text in words:
         assert re.search(rf"[\d.{GAP}]+\xa0{unit}\b|\[{unit}\]", text), text
@@ -140,5 +140,5 @@ def test_a_thicker_shaft_renames_the_axes():
     state.change(THICK)
     page.show(state)
     figure = page.charts["load-frequency"].figure
-    assert figure.xaxis[0].axis_label == "steady load P [MN]"
+    assert figure.xaxis[0].axis_label == "static load P [MN]"
     assert figure.x_range.end == pytest.approx(page.compute(state)["load-frequency"].x_range[1])

@@ -89,14 +89,14 @@ def test_conclusions_are_printed(capsys):
     assert all(f"({letter})" in out for letter in CONCLUSIONS)
     verdicts = [line[4:] for line in out.splitlines() if line.startswith("  → ")]
     assert verdicts[::2] == ["agree", "agree in part", "agree", "agree in part", "agree"]
-    survives = ["does not survive", "survives in part", "survives", "does not survive", "survives"]
+    survives = ["not confirmed", "partly confirmed", "confirmed", "not confirmed", "confirmed"]
     assert verdicts[1::2] == survives
 
 
 def test_figure_with_floquet(tmp_path, capsys):
     path = tmp_path / "f8.csv"
     assert main(["figure", "8", "--floquet"]) == 0
-    assert "→ does not survive" in capsys.readouterr().out
+    assert "→ not confirmed" in capsys.readouterr().out
     assert main(["figure", "8", "--floquet", "--output", str(path)]) == 0
     assert {row["kind"] for row in rows_of(path)} == {"line", "unstable"}
     assert main(["figure", "3", "--floquet"]) == 2

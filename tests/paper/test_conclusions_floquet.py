@@ -43,7 +43,7 @@ def after(letter, words):
 
 
 def root(spin, tangency=0.0, factor=0.5, rotor=BASE_CASE, pair="1B+1F"):
-    """Return θ̄ = ω_j − ω_i from the whirl frequencies of the rotor under its steady load."""
+    """Return θ̄ = ω_j − ω_i from the whirl frequencies of the rotor under its static load."""
     whirl = whirl_frequencies(lumped(rotor, spin, tangency), factor * BUCKLING).real
     low, high = PAIRS[pair]
     return float(whirl[high] - whirl[low])
@@ -73,11 +73,11 @@ UNSTABLE_SHARES = {
 @pytest.mark.parametrize(
     ("letter", "verdict"),
     [
-        ("a", "does not survive"),
-        ("b", "survives in part"),
-        ("c", "survives"),
-        ("d", "does not survive"),
-        ("e", "survives"),
+        ("a", "not confirmed"),
+        ("b", "partly confirmed"),
+        ("c", "confirmed"),
+        ("d", "not confirmed"),
+        ("e", "confirmed"),
     ],
 )
 def test_verdicts(letter, verdict):

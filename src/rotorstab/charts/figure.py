@@ -24,9 +24,9 @@ Verdict = Literal[
     "agree",
     "differ",
     "agree in part",
-    "survives",
-    "does not survive",
-    "survives in part",
+    "confirmed",
+    "not confirmed",
+    "partly confirmed",
 ]
 Value = float | str | list[float] | None
 
@@ -41,7 +41,7 @@ class Statement:
         What the paper says, in short.
     ours : str
         What was computed, with its numbers.
-    verdict : {"agree", "differ", "agree in part"} or "survives" and its like
+    verdict : {"agree", "differ", "agree in part"} or "confirmed" and its like
         The first three compare the text with the paper's own method, the others with Floquet.
     note : str
         Why they differ, or how far the statement goes; may be empty.

@@ -58,7 +58,10 @@ def multiplier_chart(multipliers: Complex) -> Chart:
         y_range=(-reach, reach),
         layers=(
             Layer("lines", "circle", lines.columns),
-            points_layer("minus one", [(-1.0, 0.0, "−1: Bolotin watches here")]),
+            points_layer(
+                "minus one",
+                [(-1.0, 0.0, "−1: multiplier of a motion of period 2T (Bolotin’s method)")],
+            ),
             points_layer("multipliers", within),
             points_layer("growing multipliers", out),
         ),
@@ -97,7 +100,7 @@ def orbit_chart(motion: TimeResponse) -> Chart:
     lines.add(path.real, path.imag, "path of the tip", "orbit")
     ends = [
         (float(path[0].real), float(path[0].imag), "start"),
-        (float(path[-1].real), float(path[-1].imag), "end of the stretch"),
+        (float(path[-1].real), float(path[-1].imag), "end of the time shown"),
     ]
     return Chart(
         key="orbit",
@@ -120,8 +123,8 @@ def _marker(rows: Sequence[tuple[float, float, str | Wording]]) -> Layer:
 
 
 def marker_layer(x: float, y: float) -> Layer:
-    """Return the marker of the point that is looked into."""
-    return _marker([(x, y, "the point looked into")])
+    """Return the mark of the marked point."""
+    return _marker([(x, y, "marked point")])
 
 
 def pair_layers(x: float, pair: tuple[float, float], name: str, excitation: float) -> list[Layer]:

@@ -55,7 +55,7 @@ class Quantity:
         return f"{self.words} {self.name(with_unit)}".strip()
 
 
-LOAD = Quantity("steady load", "p̄", "EI/L²")
+LOAD = Quantity("static load", "p̄", "EI/L²")
 SPIN = Quantity("spin speed", "Ω̄", _FREQUENCY)
 WHIRL = Quantity("whirl", "ω̄", _FREQUENCY)
 EXCITATION = Quantity("excitation frequency", "θ̄", _FREQUENCY)

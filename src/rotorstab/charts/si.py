@@ -43,7 +43,7 @@ def _in_si(scales: Scales, unit: str) -> dict[Quantity, _Scaled]:
     """Return what each non-dimensional quantity is in SI; loads are in `unit`."""
     hertz = scales.frequency / _TURN
     return {
-        LOAD: _Scaled(Quantity("steady load", "P", unit), scales.load / LOAD_UNITS[unit]),
+        LOAD: _Scaled(Quantity("static load", "P", unit), scales.load / LOAD_UNITS[unit]),
         SPIN: _Scaled(Quantity("spin speed", "Ω", "rpm"), 60 * hertz),
         WHIRL: _Scaled(Quantity("whirl", "ω/2π", "Hz"), hertz),
         EXCITATION: _Scaled(Quantity("excitation frequency", "θ/2π", "Hz"), hertz),

@@ -1,4 +1,4 @@
-"""Charts of signed whirl frequency: against steady load, and against spin speed (Campbell)."""
+"""Charts of signed whirl frequency: against static load, and against spin speed (Campbell)."""
 
 from __future__ import annotations
 

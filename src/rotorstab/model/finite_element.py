@@ -128,7 +128,7 @@ def finite_element(
 
 
 def first_modes(system: System, static_load: float, count: int = 2) -> System:
-    """Return a system reduced to its first free vibration modes at rest under a steady load.
+    """Return a system reduced to its first free vibration modes at rest under a static load.
 
     Parameters
     ----------

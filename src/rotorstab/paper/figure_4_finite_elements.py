@@ -47,7 +47,7 @@ def figure_4(
     largest_factor : float
         Top of the β_d axis.
     floquet : bool
-        Whether to add what is unstable, and what of the text survives.
+        Whether to add what is unstable, and what of the text Floquet's method confirms.
 
     Returns
     -------

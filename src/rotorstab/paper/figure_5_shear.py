@@ -54,7 +54,7 @@ def figure_5(
     largest_factor : float
         Top of the β_d axis.
     floquet : bool
-        Whether to add what is unstable, and what of the text survives.
+        Whether to add what is unstable, and what of the text Floquet's method confirms.
 
     Returns
     -------
@@ -191,8 +191,8 @@ def _read_boundaries(panels: Panels, drawn: Variants) -> Statement:
         )
         + ".",
         uphold(*(n == m for n, m, spins in zip(counts, of, spinning, strict=True) if spins)),
-        "At rest the two modes have one frequency. Once the rotor spins, a tongue hangs from the "
-        "sum of both frequencies and both of its edges belong to the pair.",
+        "At rest the two modes have one frequency. Once the rotor spins, a tongue begins at "
+        "β_d = 0 at the sum of both frequencies, and both of its edges belong to the pair.",
     )
 
 
@@ -210,7 +210,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
         read_shading(panels),
         Statement(
             "Neglecting shear deformation is not on the side of safety; shear is destabilising.",
-            f"Every true tongue roots at a lower θ with shear in {sum(lower)} of {len(lower)} "
+            f"Every tongue begins at a lower θ with shear in {sum(lower)} of {len(lower)} "
             f"panels. {PRINCIPAL} grows at {listed(with_shear)} times β_d with, at "
             f"{listed(without)} without shear ({titles(panels)}).",
             uphold(*lower, *faster),

@@ -38,7 +38,7 @@ def figure_6(
     largest_factor : float
         Top of the β_d axis.
     floquet : bool
-        Whether to add what is unstable, and what of the text survives.
+        Whether to add what is unstable, and what of the text Floquet's method confirms.
 
     Returns
     -------

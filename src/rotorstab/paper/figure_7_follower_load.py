@@ -99,7 +99,7 @@ def _principal(variants: Sequence[Variant]) -> tuple[list[float], list[float], s
     rates, roots = [growth(variant) for variant in variants], list(map(root, variants))
     words = f"{PRINCIPAL} grows at {listed(rates)} times β_d"
     if all(rate > 0 for rate in rates):
-        words += f" and roots at θ/ω_n = {listed(roots)}"
+        words += f" and begins at θ/ω_n = {listed(roots)}"
     best = ", ".join(f"{name} {rate:.3f}" for name, rate in map(strongest, variants))
     return rates, roots, f"{words}; strongest: {best}."
 
@@ -114,7 +114,7 @@ def _read_at_rest(panel: Chart, variants: Sequence[Variant]) -> Statement:
         f"{panel.title}: the first unstable region shifts right with α_s.",
         words,
         uphold(exists and all(a < b for a, b in pairwise(roots))),
-        f"Beside it {other} hangs from θ/ω_n = {listed(moves)} and grows at "
+        f"Beside it {other} begins at β_d = 0 at θ/ω_n = {listed(moves)} and grows at "
         f"{listed([growth(variant, other) for variant in variants])} times β_d: two "
         "different modes, which the paper's method does not seek.",
     )

@@ -1,4 +1,4 @@
-"""Figure 8: whirl frequencies over the steady load."""
+"""Figure 8: whirl frequencies over the static load."""
 
 from __future__ import annotations
 
@@ -180,7 +180,7 @@ def _read_spinning(panel: Chart, rotor: ShaftDisk, buckling: float) -> tuple[Sta
 
 
 def _onset(panel: Chart, group: str) -> float:
-    """Return the steady load that makes the rotor unstable by itself, inf if none does."""
+    """Return the static load that makes the rotor unstable by itself, inf if none does."""
     return min(
         (float(strip.x[0]) for strip in panel.unstable if strip.group == group), default=np.inf
     )
@@ -225,8 +225,8 @@ def _read_axial(
     return Statement(
         "The whirl speeds fall with the axial load; this is the reason why the first unstable "
         "regions shift left.",
-        f"The tongue {PRINCIPAL} hangs from the sum of both: θ/ω_n from p̄ = 0 to 0.5 p̄_cr "
-        f"{by_panel(panels, roots)}. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
+        f"The tongue {PRINCIPAL} begins at β_d = 0 at the sum of both: θ/ω_n from p̄ = 0 to "
+        f"0.5 p̄_cr {by_panel(panels, roots)}. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
         f"{_tables(panels, loaded)}.",
         uphold(*(after < before for before, after in roots)),
         "Sums of opposite whirls only: an axial pulsation makes no two of one direction grow.",
@@ -250,7 +250,7 @@ def _read_onsets(panels: Panels, reference: float) -> Statement:
     onsets = [[_onset(panel, kind) for kind in (_AXIAL, _FOLLOWER)] for panel in panels]
     return Statement(
         "The loads are measured by the static buckling load of the non-rotating shaft.",
-        "The steady load alone makes the rotor unstable, axial and follower, from "
+        "The static load alone makes the rotor unstable, axial and follower, from "
         + "; ".join(
             f"{panel.title}: p̄ = {axial:.4f}, {follower:.4f}"
             for panel, (axial, follower) in zip(panels, onsets, strict=True)

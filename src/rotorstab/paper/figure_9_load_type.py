@@ -40,7 +40,7 @@ def figure_9(
     largest_factor : float
         Top of the β_d axis.
     floquet : bool
-        Whether to add what is unstable, and what of the text survives.
+        Whether to add what is unstable, and what of the text Floquet's method confirms.
 
     Returns
     -------
@@ -100,7 +100,7 @@ def _read_text(panels: Panels) -> tuple[Statement, ...]:
 
 
 def _lowest(variant: Variant) -> str:
-    """Return the tongue that hangs from the lowest θ."""
+    """Return the tongue that begins at the lowest θ."""
     return min(tongues(variant).values(), key=lambda row: row.centre).name
 
 

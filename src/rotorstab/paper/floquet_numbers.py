@@ -35,7 +35,7 @@ PRINCIPAL = "1B+1F"
 """The pair whose tongue the paper's first region stands for."""
 
 _GRID = (600, 80)  # points over θ/ω_n and β_d on which areas are compared
-_CONFIRMED = 0.8  # of a Bolotin region that must be unstable for its shading to survive
+_CONFIRMED = 0.8  # of a Bolotin region that must be unstable for its shading to be confirmed
 Variants = Sequence[Sequence[Variant]]
 
 
@@ -134,6 +134,6 @@ def read_shading(panels: Sequence[Chart]) -> Statement:
         f"unstable, {', '.join(percent(m) for m in missed)} lies outside them.",
         uphold(*(share > _CONFIRMED for share in confirmed)),
         "All variants of a panel together. Bolotin's condition asks for a motion of twice the "
-        "load's period; that a spinning rotor has one is no loss of stability. What lies outside "
-        "are resonances of two different modes and those of higher order.",
+        "load's period; a spinning rotor may have such a motion and still be stable. What lies "
+        "outside are resonances of two different modes and those of higher order.",
     )

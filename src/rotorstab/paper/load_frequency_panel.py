@@ -1,4 +1,4 @@
-"""Panels of Fig. 8: whirl frequencies over the steady load, and what grows with it."""
+"""Panels of Fig. 8: whirl frequencies over the static load, and what grows with it."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ class Variant:
 
     @property
     def mean_load(self) -> float:
-        """The steady part of the load [EI/L²]."""
+        """The static part of the load [EI/L²]."""
         return self.static_factor * self.reference_load
 
     @property

@@ -11,6 +11,7 @@ from functools import cache
 from .._tolerances import DECIMAL_ROUNDING
 from . import CONCLUSIONS, FIGURES, FLOQUET_CONCLUSIONS, FLOQUET_FIGURES, Statement
 from .published import PUBLISHED, Published
+from .published.separate import DERIVED
 from .verdicts import fixed
 
 __all__ = ["validation_markdown"]
@@ -20,13 +21,13 @@ _HEAD = """\
 
 Made by `python -m rotorstab validation --output docs/validation.md --force`; do not edit.
 
-"Ours" is rounded to one digit more than was published; the difference is that of the rounded
+"Ours" is rounded to one digit more than the other value; the difference is that of the rounded
 numbers. A value is met when the difference is within "allowed": the last printed digit, or what
 is stated. Non-dimensional units: load EI/L², frequency √(EI/ρAL⁴). The base case is Φ = 0.0192,
 M̄_D = 5, Ī_D = 0.8, Ī_P = 1.6, r = 0.08.
 
-"agree" and "differ" compare the text with the paper's own method; "survives" and "does not survive"
-say what of it Floquet upholds.
+"agree" and "differ" compare the text with the paper's own method; "confirmed" and "not
+confirmed" say whether Floquet's method confirms it.
 """
 
 
@@ -71,10 +72,11 @@ def validation_markdown() -> str:
     """
     lines = [_HEAD]
     for section in dict.fromkeys(entry.section for entry in PUBLISHED):
+        other = "reference value" if section == DERIVED else "published"
         lines += [
             f"## {section}",
             "",
-            "| quantity | unit | published | ours | difference | allowed | met | source |",
+            f"| quantity | unit | {other} | ours | difference | allowed | met | source |",
             "|---|---|---:|---:|---:|---:|---|---|",
             *(_row(entry) for entry in PUBLISHED if entry.section == section),
             "",

@@ -37,10 +37,10 @@ def judge(*facts: bool | np.bool_) -> Verdict:
 
 
 def uphold(*facts: bool | np.bool_) -> Verdict:
-    """Return "survives" where Floquet confirms all facts, "does not survive" where none."""
+    """Return "confirmed" where Floquet confirms all facts, "not confirmed" where none."""
     if all(facts):
-        return "survives"
-    return "survives in part" if any(facts) else "does not survive"
+        return "confirmed"
+    return "partly confirmed" if any(facts) else "not confirmed"
 
 
 def matches(value: float, printed: str) -> bool:

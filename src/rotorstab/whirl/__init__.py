@@ -1,4 +1,4 @@
-"""How a rotor whirls under a steady load, and which steady load it bears.
+"""How a rotor whirls under a static load, and which static load it bears.
 
 Read `frequencies`, then `tracking` and `mode_names`, which follow and name the whirls; `campbell`
 and `critical_speeds` are the diagrams; `critical_loads` holds buckling and flutter.

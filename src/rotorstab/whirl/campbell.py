@@ -1,4 +1,4 @@
-"""Whirl frequencies as curves: over the steady load, and over the spin speed (Campbell)."""
+"""Whirl frequencies as curves: over the static load, and over the spin speed (Campbell)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class WhirlCurves:
 
 
 def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
-    """Return the whirl frequencies over a range of steady loads (Fig. 8 of the source paper).
+    """Return the whirl frequencies over a range of static loads (Fig. 8 of the source paper).
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
 
 
 def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) -> WhirlCurves:
-    """Return the whirl frequencies over a range of spin speeds at one steady load.
+    """Return the whirl frequencies over a range of spin speeds at one static load.
 
     Parameters
     ----------

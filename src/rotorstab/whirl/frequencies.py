@@ -1,4 +1,4 @@
-"""Whirl frequencies of a rotor under a steady load, Eq. (20) with β_d = 0."""
+"""Whirl frequencies of a rotor under a static load, Eq. (20) with β_d = 0."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     system : System
         Its spin speed broadcasts against the load.
     load : (...) float
-        Steady load p̄ [EI/L²].
+        Static load p̄ [EI/L²].
 
     Returns
     -------

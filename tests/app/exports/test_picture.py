@@ -53,7 +53,7 @@ def view(request):
     assert state.change(STATES[request.param]) == {}
     for speed, name in ((0.5, "slow"), (3.0, "a rather long name of $x")):
         other = State(**state.inputs() | {"spin_speed": speed})
-        assert "is kept" in page.handle({"type": "pin", "label": name}, other).content["told"]
+        assert "was added" in page.handle({"type": "pin", "label": name}, other).content["told"]
     sheet = view_sheet(page, state, f"{AT}?v=1&as=0.5")
     with matplotlib.rc_context(SETTINGS):
         figure = draw_sheet(sheet)

@@ -445,7 +445,7 @@ def test_no_point_costs_more_than_a_bounded_number_of_steps(monkeypatch, values)
         problem = str(error)
     else:
         problem = ""
-    assert not problem or "move the marker to a higher θ/ωₙ" in problem
+    assert not problem or "Choose a higher θ/ωₙ" in problem
     # multipliers and motion, with doublings, three levels each
     assert bool(spent) or problem
     assert sum(spent) < 2 * 2 * 12 / 5 * 5000

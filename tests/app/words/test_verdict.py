@@ -124,12 +124,12 @@ def test_inspector_and_verdict_agree_on_a_tongue_that_damping_holds_down():
     assert "no tongue" not in sentence
 
 
-def test_the_inspector_blames_no_tongue_where_the_steady_motion_grows():
+def test_the_inspector_blames_no_tongue_where_the_whirl_grows_without_pulsation():
     values = {"external_damping": 0.01, "internal_damping": 0.05, "spin_speed": 3.0}
     state, result = solved(values | {"marker": True, "marker_frequency": 9.9, "marker_factor": 0.2})
     assert result.floquet.table.mean_growth > 0
     sentence = inspect(state, result).explanation
-    assert "grows by itself" in sentence
+    assert "grows without any pulsation" in sentence
     assert "misses" not in sentence
 
 
@@ -140,7 +140,7 @@ def test_a_coarse_map_is_no_measure_of_bolotin():
         verdict(solved(values, detail)[1].floquet) for detail in (Detail.COARSE, Detail.REFINED)
     ]
     assert not [one for one in words if "times as large" in one]
-    assert "follow once the sliders rest" in words[0]
+    assert "computed when the sliders rest" in words[0]
     assert "Of this window" in words[1]
 
 
