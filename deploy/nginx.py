@@ -63,7 +63,8 @@ def variables(settings: Settings, workers: Sequence[str]) -> dict[str, Any]:
         "names": list(dict.fromkeys([*origins, *map(in_server_name, LOOPBACK)])),
         # a browser sends no host name in the TLS handshake where the address is a number
         "by_number": any(map(is_ip_address, map(host_name, settings.origins))),
-        # nobody listens on port 9, so the page says that the server restarts
+        # nothing listens on port 9, the discard port: every request fails, and the error page says
+        # that the server restarts
         "workers": list(workers) or ["127.0.0.1:9"],
         "places": places,
         "connections": min(connections, MOST_CONNECTIONS),

@@ -30,6 +30,11 @@ __all__ = ["LARGEST_LOAD", "Situation"]
 
 LARGEST_LOAD = 6.0
 """Largest magnitude of a case's own static load [EI/L²]."""
+_LEAST_PULSATION = 1e-6  # p̄_t [EI/L²]: Bolotin's boundaries are followed from 0 up to a load
+_BOUNDARY_POINTS = 24  # of each of them
+_SPEEDS = 401  # of the first search for the spin limit, over the slider's range
+_FINER_SPEEDS = 65  # of each search after it, between two of the speeds before
+_SEARCHES = 3
 
 
 class Situation:
@@ -102,16 +107,17 @@ class Situation:
         return self.table[name]
 
     def boundary(self, mode: str) -> float:
-        """Return Bolotin's boundary of a mode at the marker's β_d, in θ̄."""
-        chart = bolotin_chart(self.operation.undamped, self.static, max(self.pulsating, 1e-6), 24)
+        """Return Bolotin's boundary of a mode at β_d of the marked point, in θ̄."""
+        largest = max(self.pulsating, _LEAST_PULSATION)
+        chart = bolotin_chart(self.operation.undamped, self.static, largest, _BOUNDARY_POINTS)
         if mode not in chart.names:
             raise UserError(f"this model has no mode {mode}")
         return float(chart.frequency[-1, chart.names.index(mode)])
 
     def spin_limit(self) -> float:
         """Return the lowest spin speed at which a whirl grows by itself; inf if none is found."""
-        speeds = np.linspace(0.0, float(State.param.spin_speed.bounds[1]), 401)
-        for _ in range(3):
+        speeds = np.linspace(0.0, float(State.param.spin_speed.bounds[1]), _SPEEDS)
+        for _ in range(_SEARCHES):
             roots = whirl_frequencies(self.operation.system.at_speed(speeds), self.static)
             grows = np.flatnonzero(mean_is_unstable(roots))
             if not grows.size:
@@ -119,5 +125,5 @@ class Situation:
             first = int(grows[0])
             if first == 0:
                 return float(speeds[0])
-            speeds = np.linspace(speeds[first - 1], speeds[first], 65)
-        return float(speeds[32])
+            speeds = np.linspace(speeds[first - 1], speeds[first], _FINER_SPEEDS)
+        return float(speeds[_FINER_SPEEDS // 2])

@@ -16,7 +16,7 @@ from rotorstab.charts import Chart, Layer
 from rotorstab.drawing import screen
 
 from ..results.caches import shared_cache
-from .overlay import COMING_AND_GOING
+from .overlay import TEMPORARY_LAYERS
 
 __all__ = ["Drawing", "draw"]
 
@@ -90,8 +90,8 @@ def _drawn(kind: _Kind) -> tuple[Any, Chart]:
 
 
 def draw(chart: Chart) -> Drawing:
-    """Return a new figure for a chart, without data and without `COMING_AND_GOING` layers."""
-    fixed = tuple(layer for layer in chart.layers if layer.label not in COMING_AND_GOING)
+    """Return a new figure for a chart, without data and without `TEMPORARY_LAYERS` layers."""
+    fixed = tuple(layer for layer in chart.layers if layer.label not in TEMPORARY_LAYERS)
     layers = tuple((layer.kind, layer.label) for layer in fixed)
     kind = _Kind(chart.key, layers, replace(chart, layers=fixed))
     text, first = _drawn(kind)

@@ -12,9 +12,9 @@ from bokeh.models import ColumnDataSource, GlyphRenderer, MultiLine, Scatter, Te
 from rotorstab.charts import Layer
 from rotorstab.drawing import screen
 
-__all__ = ["COMING_AND_GOING", "overlay"]
+__all__ = ["TEMPORARY_LAYERS", "overlay"]
 
-COMING_AND_GOING = frozenset(
+TEMPORARY_LAYERS = frozenset(
     {"marker", "marker ruler", "pins", "pinned boundary", "pinned edge", "pin name"}
 )
 """Labels of the layers that are drawn here and not by HoloViews."""

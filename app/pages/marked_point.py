@@ -15,7 +15,7 @@ from ..results.marked_point import Point, solve_point
 from ..results.nearest import nearest_pair
 from ..results.operation import operation_of
 from ..state import INITIAL_CONDITIONS, State
-from ..words.point import describe, point_sentence
+from ..words.point import Fact, describe, point_sentence
 from ..words.si import shown_scales
 from .animation import animation
 
@@ -37,7 +37,7 @@ class Inspection:
         What is true at the point, in plain words.
     explanation : str
         The same with its reasons, for who asks.
-    facts : list of [name, value]
+    facts : list of Fact
         The point in numbers, for the page.
     motion : dict
         What the animation needs, plain values.
@@ -49,7 +49,7 @@ class Inspection:
     charts: dict[str, Chart]
     sentence: str
     explanation: str
-    facts: list[list[str]]
+    facts: list[Fact]
     motion: dict[str, Any]
     response: TimeResponse
     samples: int
@@ -124,13 +124,14 @@ def _marked_point(state: State) -> Point:
     return point
 
 
-def _facts_of_motion(response: TimeResponse, wanted: int) -> list[list[str]]:
+def _facts_of_motion(response: TimeResponse, wanted: int) -> list[Fact]:
     """Return what the response chart does not say: that it is shorter, or grows strongly."""
     facts = []
     shown = round(response.time[-1] / response.period)
     if shown < wanted:
-        facts.append(["Periods shown", f"{shown}: more would take too long to compute"])
+        facts.append(Fact("Periods shown", f"{shown}: more would take too long to compute"))
     powers = response.growth_rate * float(response.time[-1]) / math.log(10)
     if powers > _STRONG_GROWTH:
-        facts.append(["Growth over the time shown", f"by a factor of 10 to the power {powers:.1f}"])
+        power = f"by a factor of 10 to the power {powers:.1f}"
+        facts.append(Fact("Growth over the time shown", power))
     return facts

@@ -1,4 +1,4 @@
-"""The part of a chart that a zoom shows, as the browser tells it."""
+"""The part of a chart that a zoom shows, as the browser sends it."""
 
 from __future__ import annotations
 

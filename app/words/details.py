@@ -100,7 +100,7 @@ def _shares(answer: FloquetAnswer) -> list[list[str]]:
     if answer.detail is Detail.COARSE or math.isnan(true):
         return []
     rows = [
-        ["Unstable (Floquet)", percent(true, none=not answer.has_tongues)],
+        ["Unstable (Floquet)", percent(true, zero_is_none=not answer.has_tongues)],
         ["In a Bolotin region", percent(bolotin)],
         ["In a Bolotin region, but stable", percent(bolotin - both)],
         ["Unstable, but in no Bolotin region", percent(true - both)],

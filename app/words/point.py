@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,14 +17,21 @@ from ..state import State
 from .si import shown_scales
 from .units import Units
 
-__all__ = ["describe", "point_sentence"]
+__all__ = ["Fact", "describe", "point_sentence"]
+
+
+class Fact(NamedTuple):
+    """One row of the table of a marked point."""
+
+    name: str
+    value: str
+
 
 _FLOQUET_WORDS = {
     Motion.GROWS: "unstable",
     Motion.DECAYS: "stable: it decays",
     Motion.NEITHER: "stable",
 }
-Fact = list[str]
 _HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which a tongue is named
 
 
@@ -64,32 +72,42 @@ def point_sentence(floquet: FloquetSolution, excitation: float, table: Resonance
 
 
 def describe(
-    state: State, floquet: FloquetSolution, bolotin: bool, pair: Pair | None, result: Result
+    state: State,
+    floquet: FloquetSolution,
+    in_bolotin_region: bool,
+    pair: Pair | None,
+    result: Result,
 ) -> tuple[list[Fact], str]:
-    """Return the facts, as names and values, and the explanation of the marked point.
+    """Return the facts and the explanation of the marked point.
 
     Parameters
     ----------
     state : State
     floquet : FloquetSolution
-        At the marker.
-    bolotin : bool
+        At the marked point.
+    in_bolotin_region : bool
         Whether the point lies in a Bolotin region.
     pair : Pair or None
         The nearest pair of modes.
     result : Result
         Of the chart.
+
+    Returns
+    -------
+    facts : list of Fact
+    explanation : str
+        Some sentences on what the two methods say of the point, and on the nearest resonance.
     """
     frequency = result.numbers["fundamental"]
     units = Units(frequency, result.numbers["reference"], shown_scales(state))
     period = 2 * math.pi / (state.marker_frequency * frequency)
     motion = motion_of(floquet)
-    region = "inside a Bolotin region" if bolotin else "outside every Bolotin region"
-    facts = [["Floquet", _FLOQUET_WORDS[motion]], ["Bolotin", region]]
+    region = "inside a Bolotin region" if in_bolotin_region else "outside every Bolotin region"
+    facts = [Fact("Floquet", _FLOQUET_WORDS[motion]), Fact("Bolotin", region)]
     pace_facts, pace = _pace(motion, float(floquet.growth_rate), period, units)
     facts += pace_facts
     if units.scales is not None:
-        facts.append(["Period T of the load", units.time(period)])
+        facts.append(Fact("Period T of the load", units.time(period)))
     sentence = (
         f"At {units.excitation(state.marker_frequency)} and {units.factor(state.marker_factor)} "
         f"the rotor is {'unstable' if motion is Motion.GROWS else 'stable'} (Floquet: {pace}); "
@@ -98,7 +116,7 @@ def describe(
     if result.floquet.table.mean_is_unstable:
         sentence += "The whirl grows without any pulsation, so no tongue is named."
         return facts, sentence
-    sentence += _bolotin_words(bolotin, motion is Motion.GROWS, region)
+    sentence += _bolotin_words(in_bolotin_region, motion is Motion.GROWS, region)
     if pair is not None:
         near_facts, words = _near(state, pair, result, units)
         facts += near_facts
@@ -109,15 +127,15 @@ def describe(
 def _pace(motion: Motion, growth: float, period: float, units: Units) -> tuple[list[Fact], str]:
     """Return the facts and the words for how fast the motion grows or decays."""
     if motion is Motion.NEITHER:
-        facts = [[units.rate(0.0)[0], "0"], ["Doubles in", "never"]]
+        facts = [Fact(units.rate(0.0)[0], "0"), Fact("Doubles in", "never")]
         return facts, "the motion neither grows nor decays"
     time = math.log(2) / abs(growth)
     name = "Doubles in" if motion is Motion.GROWS else "Halves in"
     periods, duration = f"{written(time / period, 3)} periods", units.time(time)
     facts = [
-        [*units.rate(growth)],
-        [f"Growth {units.product} per period", written(growth * period)],
-        [name, f"{periods} ({duration})"],
+        Fact(*units.rate(growth)),
+        Fact(f"Growth {units.product} per period", written(growth * period)),
+        Fact(name, f"{periods} ({duration})"),
     ]
     pace = periods if units.scales is None else f"{duration}, {periods}"
     return facts, f"the motion {name.lower()} {pace}"
@@ -131,10 +149,10 @@ def _multipliers(floquet: FloquetSolution, period: float) -> str:
     return f"{outside or 'no'} {verb} outside the unit circle"
 
 
-def _bolotin_words(bolotin: bool, unstable: bool, region: str) -> str:
-    if bolotin == unstable:
+def _bolotin_words(in_bolotin_region: bool, unstable: bool, region: str) -> str:
+    if in_bolotin_region == unstable:
         return f"Bolotin agrees: the point is {region}."
-    if bolotin:
+    if in_bolotin_region:
         return "Bolotin’s method draws a region here, but no multiplier has left the unit circle."
     return "Bolotin’s method draws no region here: it misses this tongue."
 
@@ -144,8 +162,8 @@ def _near(state: State, pair: Pair, result: Result, units: Units) -> tuple[list[
     frequency = result.numbers["fundamental"]
     centre = pair.centre / frequency
     facts = [
-        ["Nearest pair of whirls", f"{pair.name} at {units.place(centre)}"],
-        ["θ above its resonance by", units.offset(state.marker_frequency - centre)],
+        Fact("Nearest pair of whirls", f"{pair.name} at {units.place(centre)}"),
+        Fact("θ above its resonance by", units.offset(state.marker_frequency - centre)),
     ]
     threshold = pair.threshold / units.reference
     if threshold == 0:

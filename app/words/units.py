@@ -36,11 +36,11 @@ class Units:
         return f"{symbol} = {self.bare_excitation(ratio)}"
 
     def place(self, ratio: float) -> str:
-        """Return the same without its symbol where the unit is enough."""
+        """Return θ/ωₙ with its symbol, or θ/2π with its unit and without the symbol."""
         return self.excitation(ratio) if self.scales is None else self.bare_excitation(ratio)
 
     def bare_excitation(self, ratio: float) -> str:
-        """Return the same without its symbol, for a reader who has just read it."""
+        """Return the value of θ/ωₙ, or of θ/2π with its unit, without the symbol."""
         return (
             f"{ratio:.3f}" if self.scales is None else with_unit(written(self._hertz(ratio)), "Hz")
         )

@@ -1,4 +1,4 @@
-"""The verdict in words: what Floquet finds in the chart, and how far Bolotin is off."""
+"""The verdict in words: what Floquet finds in the chart, and how Bolotin's regions differ."""
 
 from __future__ import annotations
 
@@ -21,9 +21,16 @@ _SLIVER = 0.02  # share of the window that may be blank without a word
 _MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
 
 
-def percent(share: float, *, none: bool = True) -> str:
-    """Return a share in words; with `none` a share of 0 is nothing, otherwise it is too small."""
-    if share == 0 and none:
+def percent(share: float, *, zero_is_none: bool = True) -> str:
+    """Return a share in words.
+
+    Parameters
+    ----------
+    share : float
+    zero_is_none : bool
+        Whether 0 is written as "nothing"; otherwise it is "under 0.1 %".
+    """
+    if share == 0 and zero_is_none:
         return "nothing"
     if share < 0.001:
         return f"under {with_unit('0.1', '%')}"
@@ -91,7 +98,7 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
             f" Of {place} {percent(true)} is unstable; elsewhere the pulsation stabilises the "
             "rotor."
         )
-    text = f" Of {place} {percent(true, none=not answer.has_tongues)} is unstable"
+    text = f" Of {place} {percent(true, zero_is_none=not answer.has_tongues)} is unstable"
     if not bolotin_shown:
         return text + "."
     text += f"; Bolotin regions cover {percent(bolotin)}"

@@ -28,7 +28,7 @@ LOG = logging.getLogger("rotorstab.hosts")
 LONGEST_KEPT = 8_000  # characters of an address; the page's token carries its query in a header
 LONGEST_VALUE = 3_000  # characters of one value with its %-escapes; no page of ours has as many
 LONGEST_NAME = 20  # characters of a key that are kept where the key is too long
-FOR_MACHINES = ("/health", "/metrics")  # a probe asks for them by whatever name it uses
+UNCHECKED_HOST_PATHS = ("/health", "/metrics")  # a probe asks for them by whatever name it uses
 
 allowlist = bokeh_server.create_hosts_allowlist
 
@@ -94,7 +94,11 @@ def refusal(application: Application, request: HTTPServerRequest, prefix: str) -
     """Return the status with which a request is refused; None where it is not."""
     known = getattr(application, "websocket_origins", None)
     path = request.path.removeprefix(prefix)
-    if known is not None and path not in FOR_MACHINES and not is_known_host(request.host, known):
+    if (
+        known is not None
+        and path not in UNCHECKED_HOST_PATHS
+        and not is_known_host(request.host, known)
+    ):
         LOG.warning("refused a request to the host %.100r", request.host)
         return 421
     if path.startswith("/static/") and not is_page_file(path):

@@ -23,13 +23,13 @@ LOG = logging.getLogger("rotorstab.limits")
 RATE, BURST = 150, 900  # messages per second: a drag sends one per frame, a zoom a few
 PATIENCE = 15.0  # s above the rate after which the socket is closed
 # Share of the server's one thread that a sender may use while others are active, and the seconds of
-# it that a sender may use in advance. Half a minute of dragging costs some 10 s, and whoever drags
-# half of the time never runs out.
-SHARE, CREDIT = 0.25, 10.0
-# The same for messages that take longer than LONG [s]: each of them delays everybody who comes
-# meanwhile. A page has one now and then. A stream of them is kept below one twentieth of the time,
-# so that nineteen of twenty messages of the others find the thread free.
-LONG, LONG_SHARE, LONG_CREDIT = 0.06, 0.04, 2.0
+# it that a sender may use in advance. Half a minute of dragging costs some 10 s, and a user who
+# drags half of the time is never delayed.
+THREAD_SHARE, THREAD_CREDIT = 0.25, 10.0
+# The same for messages that take longer than LONG_MESSAGE [s]: each of them delays everybody who
+# comes meanwhile. A page has one now and then. A stream of them is kept below one twentieth of the
+# time, so that nineteen of twenty messages of the others find the thread free.
+LONG_MESSAGE, LONG_SHARE, LONG_CREDIT = 0.06, 0.04, 2.0
 ACTIVE = 2.0  # s after its last message during which a sender counts as active
 LOOK_AGAIN = 1.0  # s after which a waiting sender looks whether anybody else is still active
 CHEAP = 1e-3  # s of the thread; a message comes in fragments, of which only the last is work
@@ -117,7 +117,10 @@ async def hold_to_rate(socket: Any) -> bool:
     """Have a sender above the rate wait; return False where it was closed for being too fast."""
     if not hasattr(socket, "pace"):
         socket.pace, socket.hurried_since = Bucket(RATE * FRAGMENTS, BURST * FRAGMENTS), None
-        socket.work, socket.long_work = Bucket(SHARE, CREDIT), Bucket(LONG_SHARE, LONG_CREDIT)
+        socket.work, socket.long_work = (
+            Bucket(THREAD_SHARE, THREAD_CREDIT),
+            Bucket(LONG_SHARE, LONG_CREDIT),
+        )
     seconds = socket.pace.wait()
     if seconds == 0:
         socket.hurried_since = None
@@ -145,7 +148,7 @@ async def paced(
     used = time.thread_time() - began
     active[self] = time.monotonic()
     self.work.wait(used)
-    if used > LONG:
+    if used > LONG_MESSAGE:
         self.long_work.wait(used)
     # At least one turn of the loop: all fragments that were read at once would be handled at once.
     await asyncio.sleep(0)

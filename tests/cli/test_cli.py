@@ -89,8 +89,8 @@ def test_conclusions_are_printed(capsys):
     assert all(f"({letter})" in out for letter in CONCLUSIONS)
     verdicts = [line[4:] for line in out.splitlines() if line.startswith("  → ")]
     assert verdicts[::2] == ["agree", "agree in part", "agree", "agree in part", "agree"]
-    survives = ["not confirmed", "partly confirmed", "confirmed", "not confirmed", "confirmed"]
-    assert verdicts[1::2] == survives
+    confirmed = ["not confirmed", "partly confirmed", "confirmed", "not confirmed", "confirmed"]
+    assert verdicts[1::2] == confirmed
 
 
 def test_figure_with_floquet(tmp_path, capsys):

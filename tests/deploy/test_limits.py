@@ -84,7 +84,7 @@ def test_a_sender_alone_is_never_held_back(clock):
 
 @pytest.mark.parametrize(
     ("seconds", "share"),
-    [(0.02, limits.SHARE), (0.2, limits.LONG_SHARE), (2.0, limits.LONG_SHARE)],
+    [(0.02, limits.THREAD_SHARE), (0.2, limits.LONG_SHARE), (2.0, limits.LONG_SHARE)],
 )
 def test_a_sender_among_others_pays_its_whole_debt(clock, monkeypatch, seconds, share):
     """It once waited 2 s at most, whatever it owed, and so had four fifths of the thread."""

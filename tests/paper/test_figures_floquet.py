@@ -126,7 +126,7 @@ VERDICTS = {
 
 
 @pytest.mark.parametrize("number", FLOQUET_FIGURES)
-def test_readings_say_what_survives(number):
+def test_readings_say_what_is_confirmed(number):
     drawn, plain = figure(number), FIGURES[number]()
     count = len(plain.reading)
     assert drawn.reading[:count] == plain.reading

@@ -151,14 +151,27 @@ def points_layer(
 
 
 def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:
-    """Return label columns of (x, y, text, side) rows; the side is where the text goes."""
+    """Return label columns of (x, y, text, side) rows; the side is where the text goes.
+
+    "frame top left" and "frame top right" are for points on the upper edge of the frame: the text
+    stands above it in print and below it on the screen, which cuts off what lies outside the frame.
+    """
     return mark_columns(rows, "side")
 
 
 def around_zero(low: float, high: float) -> tuple[float, float]:
     """Return a range from below 0 to above it, in steps so that it rarely moves.
 
-    It has room for a line of text beyond each end, also where the chart is 110 pixels high.
+    Parameters
+    ----------
+    low, high : float
+        Smallest and largest value of the curves, in the unit of the axis.
+
+    Returns
+    -------
+    (float, float)
+        In the same unit. There is room for a line of text beyond each end, also where the chart is
+        110 pixels high.
     """
     step = 0.5 if max(-low, high) < 4 else 2.0
     room = _LABEL * (high - low)

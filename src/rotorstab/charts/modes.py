@@ -25,7 +25,7 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """Its name, such as 1F; as `whirl.frequencies.mode_names` writes it."""
+        """Its name, such as 1F; as `mode_names` of `whirl.mode_names` writes it."""
         return f"{self.number}{'F' if self.forward else 'B'}"
 
 

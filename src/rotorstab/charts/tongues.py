@@ -40,7 +40,8 @@ class GrowthGrid:
     Parameters
     ----------
     growth : (R, C) float
-        σ̄ [√(EI/(ρAL⁴))] at the pixel centres, or of a thinner tongue inside; rows upwards.
+        σ̄ [√(EI/(ρAL⁴))] at the pixel centres, or the growth of a narrower tongue
+        inside the pixel; rows upwards.
     unstable : (R, C) bool
         Floquet's verdict.
     bolotin : (R, C) bool or None

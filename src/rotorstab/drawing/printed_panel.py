@@ -115,7 +115,7 @@ def _edge_hook(bands: Layer) -> Callable[[Any, Any], None]:
 
 def panel_overlay(panel: Chart) -> hv.Overlay:
     """Return one panel: growth and regions below, lines above, points on top."""
-    thin = bool(panel.shows_floquet and panel.regions)  # Bolotin's part steps back
+    thin = bool(panel.shows_floquet and panel.regions)  # Bolotin's part is drawn pale
     lines = [
         hv.Curve((line.x, line.y), "x", "y", label=line.group).opts(
             linestyle=DASHES[line.style],

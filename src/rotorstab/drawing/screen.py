@@ -54,8 +54,8 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "lower left": {"align": "right", "baseline": "top", "dx": -4, "dy": 2},
     "upper right": {"align": "left", "baseline": "bottom", "dx": 5, "dy": -2},
     "lower right": {"align": "left", "baseline": "top", "dx": 5, "dy": 2},
-    "above left": {"align": "right", "baseline": "top", "dx": -1, "dy": 2},
-    "above right": {"align": "left", "baseline": "top", "dx": 1, "dy": 2},
+    "frame top left": {"align": "right", "baseline": "top", "dx": -1, "dy": 2},
+    "frame top right": {"align": "left", "baseline": "top", "dx": 1, "dy": 2},
     "foot": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
     "upright": {"align": "left", "baseline": "top", "dx": 3, "dy": 0, "angle": math.pi / 2},
 }

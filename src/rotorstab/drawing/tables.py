@@ -41,8 +41,8 @@ def figure_csv(figure: Figure) -> str:
     -------
     str
         Comment lines (title, units, link, parameters), then the columns panel, kind (line, region
-        or unstable), name, style, x, y: one row a point. A gap in a line has an empty y or x.
-        A region is Bolotin's, unstable is Floquet's. Where a panel has a map, its pixels
+        or unstable), name, style, x, y: one row for each point. A gap in a line has an empty y
+        or x. A region is Bolotin's, unstable is Floquet's. Where a panel has a map, its pixels
         follow as rows of kind map with their centre and, in one more column, their value.
     """
     details = [figure.caption]

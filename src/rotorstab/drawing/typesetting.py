@@ -36,8 +36,8 @@ _PLACES: Mapping[str, _Place] = {
     "lower left": _Place(-4, -3, "right", "top"),
     "upper right": _Place(4, 3, "left", "bottom"),
     "lower right": _Place(4, -9, "left", "bottom"),
-    "above left": _Place(-1, 2, "right", "bottom"),
-    "above right": _Place(1, 2, "left", "bottom"),
+    "frame top left": _Place(-1, 2, "right", "bottom"),
+    "frame top right": _Place(1, 2, "left", "bottom"),
     "foot": _Place(3, 0, "left", "bottom"),
     "upright": _Place(3, 0, "left", "bottom"),
 }

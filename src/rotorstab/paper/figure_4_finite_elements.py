@@ -19,7 +19,7 @@ from ..whirl.critical_loads import critical_load
 from .arguments import lettered, parameters, resting_frequency
 from .floquet_numbers import PRINCIPAL, Variants, place, read_shading, tongues, width
 from .region_figure import RegionPanel, Variant, region_figure
-from .verdicts import boundaries, groups, judge, percent, right_of, say, titles, uphold
+from .verdicts import boundaries, confirm, groups, judge, percent, right_of, say, titles
 
 __all__ = ["figure_4"]
 
@@ -158,12 +158,12 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
             f"% above the finite-element one ({titles(panels)}); at β_d = 0.5 it is "
             + "; ".join(f"{a:.3f} against {b:.3f} wide" for a, b in widths)
             + ".",
-            uphold(all(0 < x < 0.1 for x in first), all(abs(x) < 0.15 for x in ratio)),
+            confirm(all(0 < x < 0.1 for x in first), all(abs(x) < 0.15 for x in ratio)),
         ),
         Statement(
             "The second regions' boundary frequencies are only 15 % higher.",
             f"The true tongue 2B+2F lies {_percents(second)} % higher.",
-            uphold(all(0.12 < x < 0.18 for x in second)),
+            confirm(all(0.12 < x < 0.18 for x in second)),
             "Between the two lie the tongues of 1 with 2, which the paper's method does not seek: "
             + ", ".join(
                 name for name, row in tongues(drawn[-1][0]).items() if row.kind != "principal"

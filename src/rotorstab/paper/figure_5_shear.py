@@ -25,7 +25,7 @@ from .floquet_numbers import (
     width,
 )
 from .region_figure import RegionPanel, Variant, region_figure
-from .verdicts import boundaries, groups, judge, listed, right_of, say, titles, uphold
+from .verdicts import boundaries, confirm, groups, judge, listed, right_of, say, titles
 
 __all__ = ["figure_5"]
 
@@ -190,7 +190,7 @@ def _read_boundaries(panels: Panels, drawn: Variants) -> Statement:
             f"{panel.title}: {n} of {m}" for panel, n, m in zip(panels, counts, of, strict=True)
         )
         + ".",
-        uphold(*(n == m for n, m, spins in zip(counts, of, spinning, strict=True) if spins)),
+        confirm(*(n == m for n, m, spins in zip(counts, of, spinning, strict=True) if spins)),
         "At rest the two modes have one frequency. Once the rotor spins, a tongue begins at "
         "β_d = 0 at the sum of both frequencies, and both of its edges belong to the pair.",
     )
@@ -213,7 +213,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
             f"Every tongue begins at a lower θ with shear in {sum(lower)} of {len(lower)} "
             f"panels. {PRINCIPAL} grows at {listed(with_shear)} times β_d with, at "
             f"{listed(without)} without shear ({titles(panels)}).",
-            uphold(*lower, *faster),
+            confirm(*lower, *faster),
             "Of position and of the strongest tongue. 2B+2F is weaker with shear: "
             + ", ".join(
                 f"{growth(soft, '2B+2F'):.3f} against {growth(stiff, '2B+2F'):.3f}"
@@ -226,7 +226,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
             "drastically: the gyroscopic moment is destabilising.",
             f"The true tongue {PRINCIPAL} is {listed(widths)} wide at β_d = 0.5 and grows at "
             f"{listed(with_shear)} times β_d ({titles(panels)}).",
-            uphold(
+            confirm(
                 all(a < b for a, b in pairwise(widths)),
                 all(a < b for a, b in pairwise(with_shear)),
             ),

@@ -12,7 +12,7 @@ from ..rotors.shaft_disk import BASE_CASE, ShaftDisk
 from .arguments import FACTORS, SPINS
 from .floquet_numbers import PRINCIPAL, Variants, area, growth, place, read_shading, tongues
 from .static_factors import static_factor_figure
-from .verdicts import boundaries, by_panel, groups, judge, right_of, uphold
+from .verdicts import boundaries, by_panel, confirm, groups, judge, right_of
 
 __all__ = ["figure_6"]
 
@@ -91,14 +91,14 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
         Statement(
             "With a higher α_s the unstable regions shift left, closer to the β_d axis.",
             f"{sum(falls)} of {len(falls)} true tongues root at a lower θ after a step of α_s.",
-            uphold(*falls),
+            confirm(*falls),
             "Each root is a sum of two whirl frequencies, and all of these fall with the load.",
         ),
         Statement(
             "With a higher α_s the system is more unstable.",
             f"{PRINCIPAL} grows at, times β_d, {by_panel(panels, rates)}. Unstable share of the "
             f"window: {by_panel(panels, shares)}.",
-            uphold(rise, more),
+            confirm(rise, more),
             "The paper's reason is the lower frequency; the stronger growth is one.",
         ),
     )

@@ -23,7 +23,7 @@ from .floquet_numbers import (
 )
 from .region_figure import Variant
 from .static_factors import static_factor_figure
-from .verdicts import boundaries, groups, judge, listed, percent, right_of, uphold
+from .verdicts import boundaries, confirm, groups, judge, listed, percent, right_of
 
 __all__ = ["figure_7"]
 
@@ -113,7 +113,7 @@ def _read_at_rest(panel: Chart, variants: Sequence[Variant]) -> Statement:
     return Statement(
         f"{panel.title}: the first unstable region shifts right with α_s.",
         words,
-        uphold(exists and all(a < b for a, b in pairwise(roots))),
+        confirm(exists and all(a < b for a, b in pairwise(roots))),
         f"Beside it {other} begins at β_d = 0 at θ/ω_n = {listed(moves)} and grows at "
         f"{listed([growth(variant, other) for variant in variants])} times β_d: two "
         "different modes, which the paper's method does not seek.",
@@ -131,7 +131,7 @@ def _read_spinning(panel: Chart, variants: Sequence[Variant]) -> Statement:
     return Statement(
         f"{panel.title}: the first unstable region shifts inwardly and narrows slightly.",
         words,
-        uphold(inward, narrower),
+        confirm(inward, narrower),
         f"What is unstable in Bolotin's first region at small β_d is {name}, two modes of "
         f"the same direction: it shifts left, θ/ω_n = {listed(moves)}, and is "
         f"{listed(widths)} wide at β_d = 0.1.",

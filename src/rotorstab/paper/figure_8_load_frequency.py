@@ -18,7 +18,7 @@ from .arguments import LOAD_KINDS, lettered, parameters
 from .floquet_numbers import PRINCIPAL, growth, root, tongues
 from .load_frequency_panel import LoadedRotor, whirl_chart
 from .region_figure import Variant
-from .verdicts import by_panel, fixed, judge, listed, say, uphold
+from .verdicts import by_panel, confirm, fixed, judge, listed, say
 
 __all__ = ["figure_8"]
 
@@ -228,7 +228,7 @@ def _read_axial(
         f"The tongue {PRINCIPAL} begins at β_d = 0 at the sum of both: θ/ω_n from p̄ = 0 to "
         f"0.5 p̄_cr {by_panel(panels, roots)}. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
         f"{_tables(panels, loaded)}.",
-        uphold(*(after < before for before, after in roots)),
+        confirm(*(after < before for before, after in roots)),
         "Sums of opposite whirls only: an axial pulsation makes no two of one direction grow.",
     )
 
@@ -241,7 +241,7 @@ def _read_follower(panels: Panels, variants: Sequence[Variant]) -> Statement:
         f"Spinning, 1F and 1B grow together at {listed(rates)} "
         "times β_d. All tongues at 0.5 p̄_cr, θ/ω_n and growth over β_d: "
         f"{_tables(panels, variants)}.",
-        uphold(*(rate > 0 for rate in rates)),
+        confirm(*(rate > 0 for rate in rates)),
         "What lies in the first regions is 1B with 2B, a difference of two speeds.",
     )
 
@@ -256,7 +256,7 @@ def _read_onsets(panels: Panels, reference: float) -> Statement:
             for panel, (axial, follower) in zip(panels, onsets, strict=True)
         )
         + f"; p̄_cr = {reference:.4f}.",
-        uphold(*(abs(axial / reference - 1) < _SAME_LOAD for axial, _ in onsets)),
+        confirm(*(abs(axial / reference - 1) < _SAME_LOAD for axial, _ in onsets)),
         "Spinning, the gyroscopic moment holds the buckled shaft until 1B, then a forward "
         "whirl, meets 1F; any external damping takes this away. Under the follower force the "
         "spin brings flutter nearer.",

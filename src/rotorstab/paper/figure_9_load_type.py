@@ -14,7 +14,7 @@ from ..whirl.critical_loads import critical_load
 from .arguments import LOAD_KINDS, SPINS, lettered, parameters, resting_frequency
 from .floquet_numbers import Variants, area, place, read_shading, strongest, tongues
 from .region_figure import RegionPanel, Variant, region_figure
-from .verdicts import boundaries, groups, judge, percent, right_of, uphold
+from .verdicts import boundaries, confirm, groups, judge, percent, right_of
 
 __all__ = ["figure_9"]
 
@@ -129,7 +129,7 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
                 for panel, (a, b) in zip(panels, scaled, strict=True)
             )
             + ".",
-            uphold(*lower),
+            confirm(*lower),
             "They are not the same tongue: under the follower force the lowest is "
             + ", ".join(_lowest(variant) for _, variant in drawn)
             + f" ({', '.join(panel.title for panel in panels)}).",
@@ -147,6 +147,6 @@ def _read_floquet(panels: Panels, drawn: Variants) -> tuple[Statement, ...]:
                 for panel, (a, b) in zip(panels, shares, strict=True)
             )
             + ".",
-            uphold(*stronger, *larger),
+            confirm(*stronger, *larger),
         ),
     )

@@ -15,7 +15,7 @@ from ..floquet.point import growth_rate
 from ..floquet.resonance import Resonance, resonances
 from ..model.system import fundamental_frequency
 from .region_figure import LOWEST, Variant
-from .verdicts import groups, percent, uphold
+from .verdicts import confirm, groups, percent
 
 __all__ = [
     "PRINCIPAL",
@@ -132,7 +132,7 @@ def read_shading(panels: Sequence[Chart]) -> Statement:
         "The unstable regions are shaded.",
         f"Of the area of the Bolotin regions, this much is unstable: {parts}. Of what is "
         f"unstable, {', '.join(percent(m) for m in missed)} lies outside them.",
-        uphold(*(share > _CONFIRMED for share in confirmed)),
+        confirm(*(share > _CONFIRMED for share in confirmed)),
         "All variants of a panel together. Bolotin's condition asks for a motion of twice the "
         "load's period; a spinning rotor may have such a motion and still be stable. What lies "
         "outside are resonances of two different modes and those of higher order.",

@@ -201,7 +201,7 @@ def _boundary_names(boundaries: Sequence[Curve], highest: float, largest_factor:
         x = float(line.x[-1])
         if line.mode is not None and np.isfinite(x):
             left = not line.mode.forward and x > _NEAR_LEFT * highest
-            side = "above left" if left else "above right"
+            side = "frame top left" if left else "frame top right"
             rows.append((x, largest_factor, line.mode.name, side))
     return Layer("labels", "boundary name", label_columns(rows))
 

@@ -87,7 +87,7 @@ def validation_markdown() -> str:
         heading = f"### Figure {figure.number}. {figure.title}"
         lines += [heading, "", *_statements(figure.reading), ""]
     conclusions = (conclusion() for conclusion in CONCLUSIONS.values())
-    survivals = (survival() for survival in FLOQUET_CONCLUSIONS.values())
+    confirmations = (confirmation() for confirmation in FLOQUET_CONCLUSIONS.values())
     lines += ["## The paper's conclusions on Bolotin's regions", "", *_statements(conclusions), ""]
-    lines += ["## The paper's conclusions under Floquet", "", *_statements(survivals)]
+    lines += ["## The paper's conclusions under Floquet", "", *_statements(confirmations)]
     return "\n".join(lines) + "\n"

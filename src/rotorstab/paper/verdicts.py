@@ -14,6 +14,7 @@ from ..charts.structure import Chart
 __all__ = [
     "boundaries",
     "by_panel",
+    "confirm",
     "fixed",
     "groups",
     "judge",
@@ -23,7 +24,6 @@ __all__ = [
     "right_of",
     "say",
     "titles",
-    "uphold",
 ]
 
 _MODES = ("1B", "1F", "2B", "2F")
@@ -36,7 +36,7 @@ def judge(*facts: bool | np.bool_) -> Verdict:
     return "agree in part" if any(facts) else "differ"
 
 
-def uphold(*facts: bool | np.bool_) -> Verdict:
+def confirm(*facts: bool | np.bool_) -> Verdict:
     """Return "confirmed" where Floquet confirms all facts, "not confirmed" where none."""
     if all(facts):
         return "confirmed"

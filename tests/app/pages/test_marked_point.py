@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.live.overlay import COMING_AND_GOING
+from app.live.overlay import TEMPORARY_LAYERS
 from app.pages.animation import mean_angular_speed
 from app.pages.marked_point import INSPECTOR_CHARTS, inspect
 from app.reading.user_error import UserError
@@ -65,7 +65,7 @@ def test_without_a_marker_nothing_of_it_is_made():
     assert answer["pins"] is None
     assert set(session.pages["explore"].charts) == set(CHARTS)
     for chart in session.pages["explore"].charts.values():
-        assert not COMING_AND_GOING & set(chart.sources)
+        assert not TEMPORARY_LAYERS & set(chart.sources)
 
 
 def test_a_page_opens_with_a_moving_shaft_and_its_charts_come_with_the_second_message():

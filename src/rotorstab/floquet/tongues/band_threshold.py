@@ -32,18 +32,18 @@ _BELOW = 1 - 1e-3  # part of the smallest load known at which the check starts
 _ROUNDS = 12  # of the check, each of which finds a smaller load
 
 
-def _is_small(plane: Plane, low: float, load: float) -> bool:
+def _moves_tongues_little(plane: Plane, low: float, load: float) -> bool:
     """Tell whether a load hardly moves the tongues; order k grows like (coupling/θ̄)^(k−1)."""
     return plane.strength * load < _SMALL * low
 
 
-def _is_out_of_reach(plane: Plane, low: float, load: float) -> bool:
+def _damping_prevents_higher_orders(plane: Plane, low: float, load: float) -> bool:
     """Tell whether only first-order tongues can overcome the damping up to a load.
 
     Tongues of order 2 grow at about (coupling)²/θ̄; a factor of safety is applied.
     """
     coupling = plane.strength * load
-    return _SAFETY * coupling**2 < low * max(plane.decay, plane.visible)
+    return _SAFETY * coupling**2 < low * max(plane.decay, plane.growth_counted)
 
 
 def _unstable_points(plane: Plane, band: Band, load: float) -> Array:
@@ -58,11 +58,15 @@ def _unstable_points(plane: Plane, band: Band, load: float) -> Array:
     place = np.unique([row.centre / k for row in plane.table for k in range(1, HIGHEST_ORDER + 1)])
     place = place[(place > 0.9 * low) & (place < 1.1 * high)]
     reach, rank = pair_reach(plane, place), np.zeros(len(place), dtype=np.intp)
-    if not _is_small(plane, low, load):
+    if not _moves_tongues_little(plane, low, load):
         _, middle, step, which = approach_candidates(columns[None], near[None])
         place, reach, rank = np.r_[place, middle], np.r_[reach, step], np.r_[rank, which]
     between, height = closest_approaches(
-        lambda x, i: plane.sample(np.full_like(x, load), x), place, reach, rank, plane.needed
+        lambda x, i: plane.sample(np.full_like(x, load), x),
+        place,
+        reach,
+        rank,
+        plane.closeness_needed,
     )
     around = np.pad(excess, 1, constant_values=-np.inf)
     peak = (excess > 0) & (excess >= around[:-2]) & (excess >= around[2:])
@@ -94,10 +98,10 @@ def _checked(plane: Plane, band: Band, largest: float, best: Threshold) -> Thres
     """Return the lowest of a threshold and of what is found below it, load by load."""
     stable = 0.0  # nothing is unstable up to this load
     for _ in range(_ROUNDS):
-        if _is_out_of_reach(plane, band[0], best.load):
+        if _damping_prevents_higher_orders(plane, band[0], best.load):
             break
         top = min(best.load * _BELOW, largest)
-        parts = _LEVELS[-1:] if _is_small(plane, band[0], top) else _LEVELS
+        parts = _LEVELS[-1:] if _moves_tongues_little(plane, band[0], top) else _LEVELS
         for load in (top * part for part in parts):
             if load <= stable * (1 + SAME_POINT):
                 continue
@@ -130,7 +134,7 @@ def lowest_threshold(plane: Plane, band: Band, largest: float) -> Threshold:
     if rows:
         theta = np.array([row.centre for row in rows])
         load = np.array([row.threshold for row in rows])
-        if plane.visible == 0:
+        if plane.growth_counted == 0:
             theta, load = refined_thresholds(plane, theta, load)
         inside = (theta >= low) & (theta <= high) & (load <= largest)
         best = min(_listed(load[inside], theta[inside]), default=best)

@@ -100,6 +100,6 @@ def _between(
         found.place[below],
         found.reach[below],
         rank,
-        plane.needed,
+        plane.closeness_needed,
     )
     return np.sqrt(np.maximum(place, 0)), height, line

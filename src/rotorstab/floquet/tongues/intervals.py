@@ -17,7 +17,7 @@ from .collisions import multiplier_collisions, surely_unstable
 
 __all__ = ["Interval", "unstable_intervals"]
 
-_PER_OCTAVE = (220, 110)  # columns, even in T: in the upper four octaves, below them
+_PER_OCTAVE = (220, 110)  # columns, evenly spaced in T: in the upper four octaves, below them
 _DENSITY = 1.4  # of nodes and steps: the edges of narrow tongues need more of them than a map
 _NARROW = 1e-5  # of T: half-width below which the edges of the parabola are right to 1e-6
 _BRACKETS = ((0.98, 1.02), (0.0, 1.5), (0.0, np.inf))  # half-widths about an edge

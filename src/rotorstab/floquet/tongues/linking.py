@@ -40,7 +40,7 @@ class Piece:
         self.intervals.append(interval)
 
     def predicted(self, load: float) -> Interval:
-        """Return where the interval at the next load should be: centres are even in the load."""
+        """Return where the interval at the next load should be: centres depend on p̄_t²."""
         last = self.intervals[-1]
         if len(self.intervals) < 2 or self.loads[-1] == self.loads[-2]:
             return last

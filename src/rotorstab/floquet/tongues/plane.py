@@ -20,7 +20,7 @@ _RANKS = 3  # closest pairs of multipliers that are examined at a point
 
 @dataclass(frozen=True)
 class Plane:
-    """The plane of pulsating load and excitation frequency of one system under one mean load.
+    """The plane of pulsating load and excitation frequency of one system under one static load.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class Plane:
     static : float
         p̄₀ [EI/L²].
     table : ResonanceTable
-        Of the same system and mean load.
+        Of the same system and static load.
     """
 
     system: System
@@ -38,7 +38,7 @@ class Plane:
 
     @property
     def decay(self) -> float:
-        """Slowest decay rate of the mean system, 0 without damping."""
+        """Slowest decay rate of the rotor without pulsation, 0 without damping."""
         return max(-self.table.mean_growth, 0.0)
 
     @property
@@ -52,13 +52,16 @@ class Plane:
         return self.system.pole - self.static
 
     @property
-    def needed(self) -> float:
-        """Closeness, as in `sample`, that a pair must exceed in order to grow."""
-        return self.visible**2 + self.decay**2 / 2
+    def closeness_needed(self) -> float:
+        """Closeness, as in `sample`, that a pair must exceed in order to grow [EI/(ρAL⁴)]."""
+        return self.growth_counted**2 + self.decay**2 / 2
 
     @property
-    def visible(self) -> float:
-        """Growth above which a point counts as unstable: 0 unless the mean rotor is neutral."""
+    def growth_counted(self) -> float:
+        """Growth above which a point counts as unstable [√(EI/(ρAL⁴))].
+
+        It is 0 where the rotor without pulsation decays faster than `VISIBLE_GROWTH`.
+        """
         return VISIBLE_GROWTH if self.decay < VISIBLE_GROWTH else 0.0
 
     def sample(self, load: Array, frequency: Array) -> tuple[Array, Array]:
@@ -72,8 +75,9 @@ class Plane:
         Returns
         -------
         excess : (...) float
-            Above 0 at unstable points: the growth rate less `visible` or, without damping, its
-            square less the square of `visible`, for there growth starts like a square root.
+            Above 0 at unstable points: the growth rate less `growth_counted` or, without damping,
+            its square less the square of `growth_counted`, for there growth starts like a square
+            root.
         closeness : (..., R) float
             Re ((ln μ_i − ln μ_j)/2T)² of the closest pairs, closest first: −(half the detuning)²
             outside a tongue, (growth)² of an undamped one inside.
@@ -83,8 +87,8 @@ class Plane:
         pairs = pair_closeness(solution.multipliers) * rate[..., None] ** 2
         closeness = -np.sort(-pairs, axis=-1)[..., :_RANKS]
         if self.system.is_damped:
-            return solution.growth_rate - self.visible, closeness
-        return closeness[..., 0] - self.visible**2, closeness
+            return solution.growth_rate - self.growth_counted, closeness
+        return closeness[..., 0] - self.growth_counted**2, closeness
 
     def excess(self, load: Array, frequency: Array) -> Array:
         """Return the first result of `sample`."""

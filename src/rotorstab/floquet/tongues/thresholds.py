@@ -25,7 +25,10 @@ _STENCIL = np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1)], dtype=fl
 _STEPS = (0.4, 0.2, 0.1, 0.05)  # of a tongue's width: the stencils of the refinement
 _NEAR = 3e-3  # relative distance from a refined load within which its crossing is sought
 _ROOT = 1e-10  # relative width of the last bracket of that crossing
-_RIDGE, _RIDGE_UNREFINED = 3e-3, 1e-7  # relative, on a load that is refined afterwards, or not
+# Relative width of the last bracket of a tongue's lowest load: coarse where `refined_thresholds`
+# finds the load by quadratics afterwards, fine where it does not.
+_RIDGE_TOLERANCE = 3e-3
+_FINAL_RIDGE_TOLERANCE = 1e-7
 _ZOOMS = 5
 
 
@@ -162,13 +165,13 @@ def descended_thresholds(plane: Plane, frequency: Array, load: Array) -> tuple[A
         lambda p, i: ridges.at(p, i)[1],
         load,
         np.zeros_like(load),
-        _RIDGE if plane.visible == 0 else _RIDGE_UNREFINED,
+        _RIDGE_TOLERANCE if plane.growth_counted == 0 else _FINAL_RIDGE_TOLERANCE,
     )
     found = np.flatnonzero(np.isfinite(lowest))
     theta = np.full_like(load, np.nan)
     if found.size:
         theta[found], _ = ridges.at(lowest[found], found)
-    if plane.visible > 0 or not found.size:
+    if plane.growth_counted > 0 or not found.size:
         return theta, lowest
     exact, p = (np.full_like(load, np.nan) for _ in range(2))
     exact[found], p[found] = refined_thresholds(plane, theta[found], lowest[found])

@@ -11,10 +11,10 @@ from ...whirl.critical_loads import critical_load
 from ...whirl.frequencies import whirl_frequencies
 from ..arguments import FACTORS, SPINS
 from ..floquet_numbers import PRINCIPAL, root, separating
-from ..verdicts import judge, uphold
+from ..verdicts import confirm, judge
 from .cases import base_variant, exact_width
 
-__all__ = ["conclusion_a", "survival_a"]
+__all__ = ["conclusion_a", "confirmation_a"]
 
 
 def conclusion_a() -> Statement:
@@ -38,7 +38,7 @@ def conclusion_a() -> Statement:
     )
 
 
-def survival_a() -> Statement:
+def confirmation_a() -> Statement:
     """Judge (a) by Floquet: whether Bolotin's boundaries separate stable from unstable."""
     cases = [(spin, mu, factor) for spin in SPINS for mu in (0.0, 1.0) for factor in FACTORS]
     counts = {case: separating(base_variant(*case)) for case in cases}
@@ -52,7 +52,7 @@ def survival_a() -> Statement:
         f"of Figs 6 and 7. At Ω̄ = 1, α_s = 0.5 under axial load the true tongue {PRINCIPAL} has "
         f"the one root θ/ω_n = {root(base_variant(1.0)):.4f}, the sum of both frequencies, and is "
         f"{exact_width(1.0, 0.0, 0.5, PRINCIPAL, 0.1):.4f} wide at β_d = 0.1.",
-        uphold(4 * len(spinning) == sum(spinning)),
+        confirm(4 * len(spinning) == sum(spinning)),
         "Both edges of a true tongue belong to the pair. At 2|ω| of one whirl a multiplier passes "
         "through −1 and stays on the unit circle.",
     )

@@ -15,10 +15,10 @@ from ...whirl.frequencies import whirl_frequencies
 from ..arguments import SPINS
 from ..figure_5_shear import figure_5
 from ..floquet_numbers import PRINCIPAL, growth, place, tongues
-from ..verdicts import boundaries, judge, listed, percent, right_of, say, uphold
+from ..verdicts import boundaries, confirm, judge, listed, percent, right_of, say
 from .cases import AT, base_variant, exact_width, first_widths, peak_growths, unstable_share
 
-__all__ = ["conclusion_b", "survival_b"]
+__all__ = ["conclusion_b", "confirmation_b"]
 
 
 def conclusion_b() -> Statement:
@@ -52,7 +52,7 @@ def conclusion_b() -> Statement:
     )
 
 
-def survival_b() -> Statement:
+def confirmation_b() -> Statement:
     """Judge (b) by Floquet: growth, width and area with and without shear, and over spin speed."""
     with_shear = [base_variant(spin) for spin in SPINS]
     without = [base_variant(spin, rotor=EULER_BERNOULLI_TWIN) for spin in SPINS]
@@ -69,7 +69,7 @@ def survival_b() -> Statement:
         f"{listed(stiff)} without shear; with shear every tongue roots lower in {sum(lower)} of "
         f"{len(lower)}. Its width at β_d = 0.1 is {listed(widths, 4)}; of the window to θ/ω_n = 8, "
         f"β_d = 1, {', '.join(map(percent, shares))} is unstable.",
-        uphold(
+        confirm(
             all(lower) and all(a > b for a, b in zip(rates, stiff, strict=True)),
             all(a < b for a, b in pairwise(rates)),
             all(a < b for a, b in pairwise(widths)),

@@ -8,10 +8,10 @@ from ...charts.figure import Statement
 from ..arguments import FACTORS, SPINS
 from ..figure_6_axial_load import figure_6
 from ..floquet_numbers import PRINCIPAL, growth, place, root, tongues
-from ..verdicts import boundaries, groups, judge, listed, percent, right_of, uphold
+from ..verdicts import boundaries, confirm, groups, judge, listed, percent, right_of
 from .cases import AT, base_variant
 
-__all__ = ["conclusion_c", "survival_c"]
+__all__ = ["conclusion_c", "confirmation_c"]
 
 
 def conclusion_c() -> Statement:
@@ -33,7 +33,7 @@ def conclusion_c() -> Statement:
     )
 
 
-def survival_c() -> Statement:
+def confirmation_c() -> Statement:
     """Judge (c) by Floquet: the root of every tongue over the static load factor."""
     steps, moves = [], []
     for spin in SPINS:
@@ -49,6 +49,6 @@ def survival_c() -> Statement:
         f"{sum(steps)} of {len(steps)} true tongues root lower after a step of α_s. {AT} "
         f"{PRINCIPAL} goes from θ/ω_n {'; '.join(listed(row) for row in moves)} and grows at "
         f"{'; '.join(listed(row) for row in rates)} times β_d for α_s = 0, 0.2, 0.5.",
-        uphold(*steps),
+        confirm(*steps),
         "Upheld, and the growth rises too.",
     )

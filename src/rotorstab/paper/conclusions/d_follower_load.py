@@ -8,10 +8,10 @@ from ...charts.figure import Statement
 from ..arguments import FACTORS, SPINS
 from ..figure_7_follower_load import figure_7
 from ..floquet_numbers import PRINCIPAL, growth, root, strongest
-from ..verdicts import boundaries, groups, judge, listed, percent, right_of, uphold
+from ..verdicts import boundaries, confirm, groups, judge, listed, percent, right_of
 from .cases import base_variant, exact_width
 
-__all__ = ["conclusion_d", "survival_d"]
+__all__ = ["conclusion_d", "confirmation_d"]
 
 
 def conclusion_d() -> Statement:
@@ -36,7 +36,7 @@ def conclusion_d() -> Statement:
     )
 
 
-def survival_d() -> Statement:
+def confirmation_d() -> Statement:
     """Judge (d) by Floquet: the tongues in the first region under a follower load."""
     spins = SPINS[1:]
     rows = [[base_variant(spin, 1.0, factor) for factor in FACTORS] for spin in spins]
@@ -53,7 +53,7 @@ def survival_d() -> Statement:
         f"{'; '.join(listed(row) for row in rates)} times β_d. What is unstable there is {name}, "
         f"rooted at θ/ω_n = {'; '.join(listed(row) for row in places)}, "
         f"{'; '.join(listed(row, 4) for row in widths)} wide at β_d = 0.1.",
-        uphold(*exists, *narrower),
+        confirm(*exists, *narrower),
         "Bolotin's first region holds no principal tongue, save a weak one at Ω̄ = 1, α_s = 0.5. "
         f"The tongue {name} inside it joins two backward modes; it shifts left and widens.",
     )

@@ -10,10 +10,10 @@ from ...whirl.critical_loads import critical_load
 from ..arguments import SPINS
 from ..figure_9_load_type import figure_9
 from ..floquet_numbers import root, strongest, tongues
-from ..verdicts import boundaries, groups, judge, listed, right_of, uphold
+from ..verdicts import boundaries, confirm, groups, judge, listed, right_of
 from .cases import AT, base_variant, peak_growths, unstable_share
 
-__all__ = ["conclusion_e", "survival_e"]
+__all__ = ["conclusion_e", "confirmation_e"]
 
 
 def conclusion_e() -> Statement:
@@ -46,7 +46,7 @@ def conclusion_e() -> Statement:
     )
 
 
-def survival_e() -> Statement:
+def confirmation_e() -> Statement:
     """Judge (e) by Floquet: growth, roots and unstable area under both kinds of load."""
     pairs = [[base_variant(spin, mu) for mu in (0.0, 1.0)] for spin in SPINS]
     rates = [[strongest(variant)[1] for variant in pair] for pair in pairs]
@@ -65,7 +65,7 @@ def survival_e() -> Statement:
         f"{AT}, axial and follower, α_s = 0.5: strongest tongue {both(rates)} times β_d; lowest "
         f"root θ/ω_n {both(lowest)}; unstable share of the window to θ/ω_n = 8, β_d = 1, "
         f"{both(shares)}.",
-        uphold(
+        confirm(
             *(a > b for a, b in rates), *(a < b for a, b in lowest), *(a > b for a, b in shares)
         ),
         "By growth, place and area of what is unstable; under the follower load it is other pairs "
