@@ -19,7 +19,6 @@ from rotorstab import BASE_CASE, critical_load, load_frequency_curves, lumped
 from rotorstab.charts import ROLES
 from rotorstab.charts.columns import Lines, around_zero
 from rotorstab.charts.quantities import Quantity
-from rotorstab.charts.roles import STYLES
 from rotorstab.charts.structure import Chart, Layer
 from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
@@ -216,8 +215,6 @@ def _luminance(color):
 @pytest.mark.parametrize("ground", ["#ffffff", "#171e27"], ids=["light", "dark"])
 def test_lines_have_a_contrast_of_three_on_both_grounds(ground):
     for name, role in ROLES.items():
-        if name in STYLES:  # figures of the paper
-            continue
         low, high = sorted((_luminance(role.color), _luminance(ground)))
         assert (high + 0.05) / (low + 0.05) >= 3, name
 

@@ -92,8 +92,8 @@ ROLES: Mapping[str, Role] = {
     "pin 3": Role("#2f8f8f", "7 3 2 3", 1.6, "third pin", "dashdot"),
     "limit": Role(NEUTRAL, "9 5", 1.4, "buckling or flutter load", "dashed"),
     # variants of a figure of the paper: the style alone tells them apart in grey print
-    "solid": Role("#0072B2", "solid", 2.0, ""),
-    "dashed": Role("#D55E00", "8 4", 2.0, "", "dashed"),
-    "dashdot": Role("#00795A", "9 3 2 3", 2.0, "", "dashdot"),
-    "dotted": Role("#7A3E73", "2 2", 2.0, "", "dotted"),
+    "solid": Role("#1f7fbf", "solid", 2.0, ""),
+    "dashed": Role("#cf5a12", "8 4", 2.0, "", "dashed"),
+    "dashdot": Role("#0f8a6a", "9 3 2 3", 2.0, "", "dashdot"),
+    "dotted": Role("#b84f9e", "2 2", 2.0, "", "dotted"),
 }
