@@ -62,6 +62,11 @@ window.rotorstab.inspector = (() => {
         return item;
       }));
     }
+    const beside = one(".pin-beside");
+    if (beside.dataset.key !== key) {
+      beside.dataset.key = key;
+      beside.replaceChildren(new Option("off", "none"), ...pins.names.map(({ name, number }) => new Option(name, `pin ${number}`)));
+    }
     const line = (cells, tag) => {
       const row = document.createElement("tr");
       cells.forEach((text, index) => {
@@ -77,7 +82,28 @@ window.rotorstab.inspector = (() => {
     one(".pin-table tbody").replaceChildren(...(pins.rows.length ? pins.rows.map((cells) => line(cells, "td")) : [line(["Nothing differs yet: move a slider."], "td")]));
   }
 
+  // -- the chart of a pin beside the present one ----------------------------------------------
+  let paired = false;
+  // colours and tools are set once the chart has been laid out
+  function dress() {
+    if (paired && !page.places.view("comparison")) { setTimeout(dress, 60); return; }
+    page.paintCharts();
+    page.relayout();
+  }
+  function showPair(titles) {
+    const both = Boolean(titles);
+    one(".pair").classList.toggle("both", both);
+    for (const part of every("[data-side]")) {
+      part.hidden = !both;
+      if (both && part.dataset.side !== "chart") write(part, titles[part.dataset.side]);
+    }
+    if (both === paired) return;
+    paired = both;
+    dress();
+  }
+
   document.addEventListener("DOMContentLoaded", () => {
+    one(".pin-beside").addEventListener("change", ({ target }) => page.change("compared", target.value));
     for (const box of every("input[data-input]")) {
       box.addEventListener("change", () => commit(box, box.dataset.input));
       box.addEventListener("keydown", (event) => {
@@ -148,6 +174,10 @@ window.rotorstab.inspector = (() => {
       }
       page.marker.answer(data);
       if (data.pins !== undefined) showPins(data.pins);
+      if (data.side_by_side !== undefined) {
+        showPair(data.side_by_side);
+        if (document.activeElement !== one(".pin-beside")) one(".pin-beside").value = data.side_by_side ? data.values.compared : "none";
+      }
       if (data.inspector === undefined) return;
       const { inspector } = data;
       one(".card.inspector").classList.toggle("empty", !inspector);

@@ -41,7 +41,9 @@
               if (coarse.matches && !freed.has(model)) { freed.add(model); model.setv({ active: false }, quiet); }
               break;
             case "Figure":
-              if (ZOOMED.includes(model.name)) { veilNames(model, quiet); watchWindow(model); letWheelZoom(model, quiet); }
+              if (ZOOMED.includes(model.name)) { veilNames(model, quiet); watchWindow(model); }
+              // the chart of a pin shares its ranges with the present one
+              if ([...ZOOMED, "comparison"].includes(model.name)) letWheelZoom(model, quiet);
               break;
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;

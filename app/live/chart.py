@@ -138,6 +138,14 @@ class LiveChart:
             zoomed[axis] = None if ends == wanted else ends
         return Zoom(**zoomed)
 
+    def move_with(self, other: LiveChart) -> None:
+        """Share the ranges of another chart, so that both show the same part."""
+        self.figure.update(x_range=other.figure.x_range, y_range=other.figure.y_range)
+        self._ranges = {
+            axis: (bokeh_range, self._ranges[axis][1])
+            for axis, (bokeh_range, _) in other._ranges.items()
+        }
+
     def keep_within(self, bounds: View) -> None:
         """Let a zoom show no more than the bounds, and no less than what has meaning."""
         for axis, (low, high) in (("x", bounds.x), ("y", bounds.y)):

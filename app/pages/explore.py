@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from base64 import b64encode
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -34,11 +35,13 @@ from ..words.verdict import verdict
 from .base import FRAGMENTS, Page, Reply, Stage
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
 from .pinned_charts import PinnedCharts
-from .pins import Pin, differences, pin, solve_pin
+from .pins import Pin, differences, pin, side_by_side, solve_pin
 
 __all__ = ["Explore"]
 
 _LOG = logging.getLogger("rotorstab.app")
+COMPARISON = "comparison"
+"""The key of a pin's instability chart beside the present one."""
 BOUNDS = View(
     State.param["lowest_frequency"].bounds[0],
     State.param["highest_frequency"].bounds[1],
@@ -53,7 +56,7 @@ class Explore(Page):
 
     key = "explore"
     title = "Explore"
-    chart_keys = (*CHARTS, *INSPECTOR_CHARTS)
+    chart_keys = (*CHARTS, COMPARISON, *INSPECTOR_CHARTS)
     takes = frozenset({"use_shaft", "rotor_file", "save_rotor_file"})
 
     def __init__(self) -> None:
@@ -87,11 +90,21 @@ class Explore(Page):
             charts = charts | {"instability": with_top(charts["instability"], top)}
         charts = displayed(charts, state, result.numbers)
         charts = self._pinned.added(charts, self.pins, state, result, self.views)
+        beside = self._compared(state)
+        if beside is not None:
+            chart = self._pinned.beside(beside, state, result, self.view)
+            top = charts["instability"].layer("unstable").columns["top"][0]
+            title = side_by_side(state, beside)["pin"]
+            charts[COMPARISON] = replace(with_top(chart, top), key=COMPARISON, title=title)
         if marked:
             inspection = self._inspect(state, result)
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
         return charts
+
+    def _compared(self, state: State) -> Pin | None:
+        """Return the pin whose chart stands beside the present one."""
+        return next((pin for pin in self.pins if f"pin {pin.number}" == state.compared), None)
 
     @property
     def view(self) -> View | None:
@@ -166,14 +179,15 @@ class Explore(Page):
         frames = self._frames(state, result)
         scales = shown_scales(state)
         if scales is None:
-            return frames
+            return frames | {COMPARISON: frames["instability"]}
         numbers = result.numbers
-        return {
+        scaled = {
             key: frame.scaled(
                 *chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
             )
             for key, frame in frames.items()
         }
+        return scaled | {COMPARISON: scaled["instability"]}
 
     def _frames(self, state: State, result: Result) -> dict[str, Frame]:
         """Return the non-dimensional ranges of the charts."""
@@ -192,12 +206,14 @@ class Explore(Page):
 
     def built(self, key: str, chart: LiveChart) -> None:
         """Fit a chart into its place; a click on the instability chart places the marker."""
-        if key in CHARTS:
+        if key in (*CHARTS, COMPARISON):
             chart.figure.min_height = None  # the page gives each chart its height
             # where one axis has reached its bounds the other one still zooms out
             chart.figure.select_one(WheelZoomTool).maintain_focus = False
         if key in ("load-frequency", "campbell"):
             make_low(chart.figure)
+        if key == COMPARISON:
+            chart.move_with(self.charts["instability"])
         if key in INSPECTOR_CHARTS:
             make_small(chart.figure)
         if key == "instability":
@@ -212,6 +228,8 @@ class Explore(Page):
             return self._pin(message.get("label"), state)
         if kind == "unpin":
             self.pins = [pin for pin in self.pins if pin.number != message.get("number")]
+            if self._compared(state) is None:
+                state.change({"compared": "none"})
         elif kind == "window":
             self._see(message, state)
         elif kind == "colours":
@@ -287,6 +305,7 @@ class Explore(Page):
     def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
         result = solve(state, detail, self.view)
+        beside = self._compared(state)
         answer = {
             "numbers": result.numbers,
             "verdict": verdict(
@@ -304,6 +323,7 @@ class Explore(Page):
             "colours_fitted": state.growth_unit in self.fitted,
             "si": si_answer(state, result.numbers, CHARTS) if state.units == "SI" else None,
             "pins": differences(state, result, self.pins) if self.pins else None,
+            "side_by_side": None if beside is None else side_by_side(state, beside),
         }
         if state.marker and self.stage is not Stage.OPENING:
             answer["inspector"] = self._point_answer(state, result)

@@ -94,6 +94,15 @@ class PinnedCharts:
             found[key] = replace(charts[key], layers=(*charts[key].layers, *_joined(layers)))
         return found
 
+    def beside(self, pin: Pin, state: State, now: Result, view: View | None) -> Chart:
+        """Return the instability chart of a pin for what is seen of the present one."""
+        seen = self._seen(pin, state, now, view)
+        result = seen.result
+        if state.growth_unit != pin.state.growth_unit:
+            shown = State(**pin.inputs, growth_unit=state.growth_unit)
+            result = solve(shown, result.floquet.detail, seen.view)
+        return _in_present_units(result.charts["instability"], pin, state)
+
     def _own(self, key: str, pin: Pin, state: State, now: Result, view: View | None) -> Chart:
         """Return a chart of a pin, in its own non-dimensional numbers, with what is drawn of it."""
         if key != "instability":

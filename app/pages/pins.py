@@ -18,8 +18,9 @@ from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
 from ..words.si import key_numbers, quantities_in_si, shown_scales
 from ..words.typography import with_unit
 
-__all__ = ["Pin", "differences", "pin", "solve_pin"]
+__all__ = ["Pin", "differences", "pin", "side_by_side", "solve_pin"]
 
+_MOST_IN_TITLE = 3  # inputs that a title names
 # labels, non-dimensional and in SI; {} is the unit of load of the present shaft
 _NUMBERS = {
     "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [{}]"),
@@ -142,3 +143,29 @@ def _inputs(inputs: Mapping[str, Any], scales: Scales | None) -> dict[str, str]:
         label = f"{State.param[name].label} {symbol} {f'[{unit}]' if unit else ''}"
         found[" ".join(label.split())] = _shown(value)
     return found
+
+
+def side_by_side(state: State, pin: Pin) -> dict[str, str]:
+    """Return the titles of the present chart and a pin's: names, and inputs that differ."""
+    scales = shown_scales(state)
+    now = state.inputs()
+    names = [name for name in names_for(Use.COMPARED) if pin.inputs[name] != now[name]]
+    return {
+        "now": _title("Now", names, now, scales),
+        "pin": _title(pin.name, names, pin.inputs, None if scales is None else pin.scales),
+    }
+
+
+def _title(
+    name: str, differing: Sequence[str], inputs: Mapping[str, Any], scales: Scales | None
+) -> str:
+    units = {} if scales is None else quantities_in_si(scales)
+    parts = []
+    for one in differing[:_MOST_IN_TITLE]:
+        factor, unit = units.get(one, (None, SI_INPUTS.get(one, "")))
+        value = inputs[one] if factor is None else inputs[one] * factor
+        symbol = SYMBOLS.get(one) or str(State.param[one].label).lower()
+        symbol = symbol if factor is None else symbol.replace("\u0304", "")
+        parts.append(f"{symbol} = {with_unit(_shown(value), unit)}")
+    more = ", …" if len(differing) > _MOST_IN_TITLE else ""
+    return f"{name}: {', '.join(parts)}{more}" if parts else name

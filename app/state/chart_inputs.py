@@ -77,3 +77,10 @@ class ChartInputs(param.Parameterized):
         label="Units of the charts",
         doc="Non-dimensional numbers as in the paper, or rpm, Hz and N for the shaft below.",
     )
+    compared = Selector(
+        Facts("side"),
+        default="none",
+        objects=["none", "pin 1", "pin 2", "pin 3"],
+        label="Compare side by side",
+        doc="The pin whose instability chart stands beside the present one.",
+    )

@@ -1,4 +1,4 @@
-"""The wheel, a pinch and a drag zoom the charts, which then show what is seen."""
+"""The wheel and a pinch zoom the charts, alone or side by side, which then show what is seen."""
 
 import pytest
 
@@ -119,3 +119,28 @@ def test_two_fingers_zoom_and_one_scrolls(open_page):
     # the marked point has not moved, and the page neither zoomed nor scrolled
     assert phone.evaluate("rotorstab.last.values.marker_frequency") == marker
     assert phone.evaluate("[visualViewport.scale, scrollY]") == [1, 0]
+
+
+def test_a_pin_stands_beside_the_present_chart_on_one_screen(open_page):
+    page = open_page(1366, 768)
+    settle(page)
+    page.locator(".pins summary").click()
+    page.get_by_role("button", name="Pin curves").click()
+    page.wait_for_function("rotorstab.last.pins")
+    page.get_by_label("Side by side").select_option("pin 1")
+    page.wait_for_function("rotorstab.places.view('comparison') && rotorstab.last.side_by_side")
+    settle(page)
+    wait_for_rest(page)
+    now, beside = (page.evaluate(FRAME, key) for key in ("instability", "comparison"))
+    assert now[0] + now[2] < beside[0]
+    assert now[1:] == pytest.approx(beside[1:], abs=1)  # as high and as wide
+    assert beside[0] + beside[2] < 1366
+    assert page.evaluate("document.documentElement.scrollHeight") <= 768
+    # the wheel over one of them zooms both
+    wheel(page, "comparison", -240)
+    page.wait_for_function("rotorstab.places.window('instability')[0][1] < 6")
+    assert ranges(page, "instability") == ranges(page, "comparison")
+    page.get_by_label("Side by side").select_option("none")
+    page.wait_for_function("!rotorstab.last.side_by_side")
+    wait_for_rest(page)
+    assert page.evaluate(FRAME, "instability")[2] > 1.5 * now[2]
