@@ -36,6 +36,7 @@ SCRIPTS = (
     "motion.js",
     "shaft.js",
     "inspector.js",
+    "progress.js",
     "lessons.js",
     "print.js",
 )

@@ -1,7 +1,7 @@
-// Lessons: the progress in the list, and the running lesson beside the live charts.
+// Lessons: the running lesson, its question and its controls, beside the live charts.
 window.rotorstab.lessons = (() => {
   const page = window.rotorstab;
-  const STORE = "rotorstab-lessons";
+  const { progress, keep, passed } = page.progress;
   const GLIDE = 1200; // ms in which a right answer moves the settings to those that its text speaks of
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
   const LIMITS = { marker_frequency: ["lowest_frequency", "highest_frequency"], marker_factor: ["", "largest_factor"] };
@@ -12,39 +12,6 @@ window.rotorstab.lessons = (() => {
   let asked = ""; // key of the lesson that was asked for
   let values = {};
   let focusTo = "";
-
-  // -- progress, kept in this browser only -------------------------------------
-  function stored() {
-    try {
-      const found = JSON.parse(localStorage.getItem(STORE));
-      return found && typeof found === "object" && !Array.isArray(found) ? found : {};
-    } catch { return {}; }
-  }
-  // {at: step, steps: {0: "right" | "shown" | "tried"}}; any other content is ignored
-  function progress(key) {
-    const found = stored()[key];
-    const steps = found && typeof found.steps === "object" && found.steps ? found.steps : {};
-    const all = Number(document.querySelector(`[data-lesson-card="${CSS.escape(key)}"]`)?.dataset.steps || 0);
-    return { at: Number.isInteger(found?.at) && found.at < all ? found.at : 0, steps };
-  }
-  function keep(key, change) {
-    const all = stored();
-    all[key] = change(progress(key));
-    try { localStorage.setItem(STORE, JSON.stringify(all)); } catch { /* private window */ }
-    list();
-  }
-  const passed = (word) => word === "right" || word === "shown";
-
-  function list() {
-    for (const card of document.querySelectorAll("[data-lesson-card]")) {
-      const { steps } = progress(card.dataset.lessonCard);
-      const all = Number(card.dataset.steps);
-      const done = Object.values(steps).filter(passed).length;
-      const words = card.querySelector("[data-lesson-progress]");
-      card.classList.toggle("done", done >= all);
-      words.textContent = !Object.keys(steps).length ? "" : done >= all ? "✓ Done" : `${done} of ${all} steps done`;
-    }
-  }
 
   // -- pieces -------------------------------------------------------------------
   function node(tag, attributes, ...children) {
@@ -389,8 +356,7 @@ window.rotorstab.lessons = (() => {
     place("next").addEventListener("click", forward);
     place("show").addEventListener("click", () => page.send({ type: "lesson-show" }));
     document.querySelector(".lesson-forget").addEventListener("click", () => {
-      try { localStorage.removeItem(STORE); } catch { /* private window */ }
-      list();
+      page.progress.forget();
       if (running) { reveal(); stand(); }
     });
     // the link of the running lesson is chosen again in the list
@@ -398,7 +364,6 @@ window.rotorstab.lessons = (() => {
       link.addEventListener("click", () => { if (running && link.hash === `#lesson/${running.key}`) setTimeout(visit); });
     }
     window.addEventListener("popstate", visit); // fires for a change of the hash and for Back to another query
-    list();
   }, { once: true });
 
   return {
