@@ -190,8 +190,8 @@ def assert_key_numbers(numbers, state):
 def test_every_input_is_moved_by_a_test_and_has_a_control():
     placed = {name for _, _, names in GROUPS for name in names}
     assert placed == set(MOVES)
-    # the others are the inspector's own
-    assert set(State().inputs()) - placed == INSPECTOR
+    # the others are the inspector's own, and the choice among the pins
+    assert set(State().inputs()) - placed == INSPECTOR | {"compared"}
 
 
 def test_a_session_starts_with_the_solvers_picture(session):
