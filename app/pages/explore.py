@@ -164,6 +164,8 @@ class Explore(Page):
             "tongue edge": state.show_growth,
             "thin tongue": state.show_growth,
             "tongue": state.show_growth,
+            "not computed": state.show_growth,
+            "reason": state.show_growth,
             "disagreement": state.show_disagreement,
             "Bolotin region": state.show_bolotin,
             "boundary": state.show_bolotin,

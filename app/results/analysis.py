@@ -40,6 +40,7 @@ BOUNDARY_ROWS, MOST_BOUNDARY_ROWS = 120, 1200  # loads at which Bolotin's bounda
 GROWTH_TOPS = {"per time": 0.2, "per period": 1.0}
 """Growth σ̄ or σ̄T at the upper end of the colours; faster growth has the last colour. They suit the
 paper's rotor, and stay the same while one explores."""
+_TOO_SLOW = "not drawn: load too slow"
 _ROUNDING = 1e-12  # by which Ī_P may exceed 2 Ī_D and still be equal
 
 
@@ -108,7 +109,7 @@ def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None
     table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
     ends_at = (system.largest_load - static) / reference
     charts = (
-        _instability_chart(inputs, made, table, ends_at, seen),
+        _instability_chart(inputs, made, table, ends_at, seen, detail),
         *(whirl_chart(key, operation, inputs["stiffness"]) for key in WHIRL_CHARTS),
     )
     return Result(
@@ -137,6 +138,7 @@ def _instability_chart(
     table: ResonanceTable,
     ends_at: float,
     seen: View,
+    detail: Detail,
 ) -> Chart:
     operation: Operation = inputs["operation"]
     frequency, reference = operation.fundamental_frequency, operation.reference_load
@@ -152,6 +154,7 @@ def _instability_chart(
         made.rates,
         GROWTH_TOPS[inputs["growth_unit"]],
     )
+    drawn_from = min(max(made.drawn_from / frequency, seen.left), seen.right)
     # as many rows in what is seen, however small a part of the loads it is
     rows = min(MOST_BOUNDARY_ROWS, round(BOUNDARY_ROWS * top / (top - seen.low)))
     return instability_chart(
@@ -162,7 +165,22 @@ def _instability_chart(
         (seen.low, top),
         grid,
         [(row.centre / frequency, row.name) for row in table.tongues],
+        _blanks(seen, drawn_from, min(max(ends_at, seen.low), top), detail),
     )
+
+
+def _blanks(
+    seen: View, drawn_from: float, ends_at: float, detail: Detail
+) -> list[tuple[tuple[float, float, float, float], str]]:
+    """Return the parts of the instability chart that are not computed, and why."""
+    found = []
+    if ends_at < seen.high:
+        box = (seen.left, seen.right, ends_at, seen.high)
+        found.append((box, "beyond the exact stiffness law"))
+    if drawn_from > seen.left and ends_at > seen.low:
+        reason = "computed at rest" if detail is Detail.COARSE else _TOO_SLOW
+        found.append(((seen.left, drawn_from, seen.low, ends_at), reason))
+    return found
 
 
 def _key_numbers(operation: Operation) -> dict[str, Any]:

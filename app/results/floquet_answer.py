@@ -41,6 +41,9 @@ class FloquetAnswer:
     followed_from : float
         θ/ω_n below which the map is blank, since the load is too slow to be followed; 0 where no
         part is blank for that reason.
+    drawn_from : float
+        θ/ω_n below which tongues are too near to each other to be drawn, or nothing is computed; 0
+        where the whole window is drawn, inf where nothing is.
     ends_at : float
         β_d above which the map is blank, since the exact law ends; inf where it does not.
     unknown_share : float
@@ -59,6 +62,7 @@ class FloquetAnswer:
     unstable_from: float = math.inf
     detail: Detail = Detail.REFINED
     followed_from: float = 0.0
+    drawn_from: float = 0.0
     ends_at: float = math.inf
     unknown_share: float = 0.0
     has_tongues: bool = False
@@ -108,6 +112,7 @@ def floquet_answer(
         **_shares(growth, made.mask, reference),
         detail=detail,
         followed_from=_followed_from(growth, fundamental),
+        drawn_from=made.drawn_from / fundamental,
         ends_at=ends_at if ends_at < largest_factor else math.inf,
         unknown_share=_unknown_share(growth),
         has_tongues=has_thin or has_first_order,

@@ -46,23 +46,31 @@ class MapSize(NamedTuple):
     finer: int
 
 
-_LUMPED, _ELEMENTS = "lumped", "finite elements"
-# by kind of model, and whether it is damped: a point takes 1 µs, with damping 4 µs, and with finite
-# elements 0.1 ms
-_COARSE_MAPS = {
-    (_LUMPED, False): MapSize(40, 108, 1.0, 3),
-    (_LUMPED, True): MapSize(32, 80, 1.0, 3),
-    (_ELEMENTS, False): MapSize(16, 64, 0.6, 1),
-    (_ELEMENTS, True): MapSize(14, 56, 0.6, 1),
-}
-_FULL_MAPS = {_LUMPED: MapSize(120, 240, 1.0, 3), _ELEMENTS: MapSize(48, 120, 1.0, 1)}
+POLYNOMIALS, MATRICES = "polynomials", "matrices"
+"""How a map is made: of the polynomial of four whirls, or of the matrices of all of them."""
+# by whether the model is damped: a point takes 1 µs, with damping 4 µs
+_COARSE_MAPS = {False: MapSize(40, 108, 1.0, 3), True: MapSize(32, 80, 1.0, 3)}
+_FULL_MAP = MapSize(120, 240, 1.0, 3)
+# the same with the matrices of all whirls of finite elements: a point takes 0.1 ms
+_COARSE_MAPS_OF_MATRICES = {False: MapSize(16, 64, 0.6, 1), True: MapSize(14, 56, 0.6, 1)}
+_FULL_MAP_OF_MATRICES = MapSize(48, 120, 1.0, 1)
 
 
-def map_size(model: Model, detail: Detail) -> MapSize:
-    """Return the size of the growth map of a model."""
-    if detail is Detail.COARSE:
-        return _COARSE_MAPS[model.kind, model.is_damped]
-    return _FULL_MAPS[model.kind]
+def map_size(model: Model, detail: Detail, matrices: bool = False) -> MapSize:
+    """Return the size of the growth map of a model.
+
+    Parameters
+    ----------
+    model : Model
+    detail : Detail
+    matrices : bool
+        Whether it is made of the matrices of all whirls, which takes long.
+    """
+    if matrices:
+        coarse, full = _COARSE_MAPS_OF_MATRICES, _FULL_MAP_OF_MATRICES
+    else:
+        coarse, full = _COARSE_MAPS, _FULL_MAP
+    return coarse[model.is_damped] if detail is Detail.COARSE else full
 
 
 MOST_REFINED = {"lumped": 1800, "finite elements": 60}
@@ -72,19 +80,21 @@ MOST_CYCLES = 1000
 """Largest number of cycles of the fastest whirl in one period of the load, on a growth map and in
 the marked point: the time of a column rises with it, and without bound for a slow load."""
 MOST_WORK = {
-    (_LUMPED, False): 20,
-    (_LUMPED, True): 10,
-    (_ELEMENTS, False): 33,
-    (_ELEMENTS, True): 20,
+    (POLYNOMIALS, False): 20,
+    (POLYNOMIALS, True): 10,
+    (MATRICES, False): 33,
+    (MATRICES, True): 20,
 }
-"""Largest sum of these cycles over the columns of a map, divided by the number of columns, by kind
-of model and whether it is damped: a full map then takes some seconds at most."""
+"""Largest sum of these cycles over the columns of a map, divided by the number of columns, by how
+it is made and whether the model is damped: a full map then takes some seconds at most."""
 COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.75
 """Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
 map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It
 may take the share `COARSE_WORK` of `MOST_WORK`."""
 MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.REFINED: 2_000_000}
 """Largest sum of nodes times steps of a map, 0.1 s or some 4 s of work (`columns_within_work`)."""
+COARSE_NODES_OF_ELEMENTS = 35_000
+"""The same on a coarse map of finite elements, whose steps take twice as long."""
 
 MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
 """Largest number of steps in one period of the load in the marked point, by kind of model: 0.1 s of

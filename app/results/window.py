@@ -5,6 +5,7 @@ Arguments and results can be pickled, so that another process can make a map.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +18,7 @@ from rotorstab import (
     stability_chart,
     whirl_frequencies,
 )
+from rotorstab.floquet.interpolant.slow_whirls import InseparableWhirls
 from rotorstab.maps.grid_edges import GridEdges
 from rotorstab.maps.work import columns_within_work
 
@@ -25,6 +27,10 @@ from .limits import Detail, map_size
 from .model import Model
 
 __all__ = ["FloquetMap", "Window", "chart_options", "floquet_map"]
+
+
+_SLOW = 4  # whirls of a polynomial
+_CLOSEST = 6.0  # columns between two tongues: nearer ones cannot be told apart
 
 
 @dataclass(frozen=True)
@@ -71,18 +77,22 @@ class FloquetMap:
         None where nothing is computed.
     rates : (R', C') float or None
         Growth rates on the grid of the edges.
+    drawn_from : float
+        θ̄ below which no edges are found, although the map may have growth rates there: tongues are
+        too near to each other, or nothing is computed. 0 where the whole window has edges.
     """
 
     growth: StabilityChart
     mask: NDArray[np.bool_]
     edges: GridEdges | None = None
     rates: NDArray[np.float64] | None = None
+    drawn_from: float = 0.0
 
 
-def chart_options(model: Model, detail: Detail) -> dict[str, Any]:
+def chart_options(model: Model, detail: Detail, matrices: bool = False) -> dict[str, Any]:
     """Return the options of `stability_chart` for the growth map of a model."""
     return {
-        "density": map_size(model, detail).density,
+        "density": map_size(model, detail, matrices).density,
         "refine": detail is Detail.REFINED,
         "most_refined": limits.MOST_REFINED[model.kind],
         # tongues narrower than a pixel are shown by their edges
@@ -118,13 +128,21 @@ class _Axis:
 
 def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     """Return the map of a window; a full one takes some ten times as long as a coarse one."""
+    try:
+        return _map(window, detail, matrices=False)
+    except InseparableWhirls:
+        return _map(window, detail, matrices=True)
+
+
+def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
+    """Return the map of a window; with `matrices` all whirls of finite elements are kept."""
     model = window.model
-    size = map_size(model, detail)
+    size = map_size(model, detail, matrices)
     across = _Axis(window.low, window.high, size.columns, size.finer)
     up = _Axis(window.bottom, window.top, size.rows, 1)
     if window.bottom == 0:
         up.nodes, up.pixels = np.append(0.0, up.nodes), up.pixels + 1
-    whole, known = _growth(window, up.nodes, across.nodes, detail)
+    whole, known, resolved = _growth(window, up.nodes, across.nodes, detail, matrices)
     undamped = model.undamped().system(window.spin_speed, window.tangency)
     mask = np.zeros((size.rows, size.columns), dtype=np.bool_)
     inside = undamped.in_charts(window.static_load + up.centres)
@@ -135,34 +153,78 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     growth = _on_pixels(whole, known, up, across)
     edges = whole.edges if whole is not None else None
     if whole is None or edges is None:
-        return FloquetMap(growth, mask)
-    return FloquetMap(growth, mask, edges, whole.growth[: len(edges.pulsating_loads)])
+        return FloquetMap(growth, mask, drawn_from=math.inf)
+    rates = whole.growth[: len(edges.pulsating_loads)]
+    frequencies = whole.excitation_frequencies
+    first = int(np.searchsorted(frequencies, resolved))
+    if len(frequencies) - first < 2:
+        return FloquetMap(growth, mask, drawn_from=math.inf)
+    lowest = float(frequencies[first])
+    if not model.is_damped:  # with damping what is unstable is wide there, and shown
+        edges, rates = edges.from_column(first), rates[:, first:]
+    return FloquetMap(growth, mask, edges, rates, lowest if lowest > across.nodes[0] else 0.0)
 
 
 def _growth(
-    window: Window, loads: NDArray[np.float64], frequencies: NDArray[np.float64], detail: Detail
-) -> tuple[StabilityChart | None, NDArray[np.bool_]]:
-    """Return the growth in the columns whose load can be followed, and which these are."""
+    window: Window,
+    loads: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+    detail: Detail,
+    matrices: bool,
+) -> tuple[StabilityChart | None, NDArray[np.bool_], float]:
+    """Return the growth in columns whose load can be followed, which these are, and resolved θ̄."""
     model = window.model
     system = model.system(window.spin_speed, window.tangency)
-    known = _followed(window, frequencies, detail)
+    size = map_size(model, detail, matrices)
+    whirls = np.sort(np.abs(whirl_frequencies(system, window.static_load)))
+    if not matrices:
+        whirls = whirls[:_SLOW]
+    known = _followed(model, float(whirls[-1]), frequencies, detail, matrices)
+    resolved = _resolved_from(whirls, frequencies)
+    if detail is Detail.COARSE or model.kind != "lumped":
+        known &= frequencies >= resolved
     inside = loads[system.in_charts(window.static_load + loads)]
+    resolve = math.inf if matrices else resolved
     if known.any() and inside.size:
         known[known] = columns_within_work(
             system,
             window.static_load,
             float(inside.max()),
             frequencies[known],
-            map_size(model, detail).density,
-            limits.MOST_NODES[detail],
+            size.density,
+            _most_nodes(model, detail),
+            resolve=resolve,
+            slow_whirls=not matrices,
         )
     if not known.any():
-        return None, known
-    options = chart_options(model, detail)
+        return None, known, math.inf
     chart = stability_chart(
-        system, window.static_load, loads, frequencies[known], edges=True, **options
+        system,
+        window.static_load,
+        loads,
+        frequencies[known],
+        edges=True,
+        resolve=resolve,
+        slow_whirls=not matrices,
+        **chart_options(model, detail, matrices),
     )
-    return chart, known
+    return chart, known, resolved
+
+
+def _most_nodes(model: Model, detail: Detail) -> float:
+    """Return the largest sum of nodes times steps of a map."""
+    if detail is Detail.COARSE and model.kind == "finite elements":
+        return limits.COARSE_NODES_OF_ELEMENTS
+    return limits.MOST_NODES[detail]
+
+
+def _resolved_from(whirls: NDArray[np.float64], frequencies: NDArray[np.float64]) -> float:
+    """Return the θ̄ below which tongues are nearer to each other than `_CLOSEST` columns.
+
+    The tongues θ̄ = Ω/k of the slowest pair of whirls, Ω = ω₁ + ω₂, have a distance of about θ̄²/Ω.
+    """
+    column = float(np.diff(frequencies).max(initial=0.0))
+    return math.sqrt(_CLOSEST * column * float(whirls[:2].sum()))
 
 
 def _on_pixels(
@@ -185,18 +247,21 @@ def _on_pixels(
 
 
 def _followed(
-    window: Window, frequencies: NDArray[np.float64], detail: Detail
+    model: Model,
+    fastest: float,
+    frequencies: NDArray[np.float64],
+    detail: Detail,
+    matrices: bool,
 ) -> NDArray[np.bool_]:
     """Return which columns of a growth map are computed, those of the fastest loads first.
 
-    The time that a column takes grows with the whirl cycles in a period of the load, and without
-    bound where the load is slow and a small disk whirls fast: one window would hold up a class.
+    The time that a column takes grows with the cycles of the fastest whirl in a period of the
+    load, and without bound where the load is slow and a small disk whirls fast: one window would
+    hold up a class.
     """
-    model = window.model
-    system = model.system(window.spin_speed, window.tangency)
-    fastest = float(np.abs(whirl_frequencies(system, window.static_load)).max())
+    kind = limits.MATRICES if matrices else limits.POLYNOMIALS
     cycles = fastest / frequencies
-    most_work = float(limits.MOST_WORK[model.kind, model.is_damped]) * len(frequencies)
+    most_work = float(limits.MOST_WORK[kind, model.is_damped]) * len(frequencies)
     most_cycles = float(limits.MOST_CYCLES)
     if detail is Detail.COARSE:
         most_work *= limits.COARSE_WORK

@@ -40,7 +40,7 @@ def details(answer: FloquetAnswer, scales: Scales | None = None) -> dict[str, An
     columns = ["Tongue", *_heads(units), *(["begins at β_d"] if damped else [])]
     words = smallest_load(answer, units)
     if answer.detail is not Detail.COARSE:
-        words += blank_parts(answer)
+        words += blank_parts(answer, units)
     return {
         "columns": columns,
         "rows": [] if answer.table.mean_is_unstable else _rows(answer, units, damped),

@@ -123,7 +123,7 @@ def _is_part(answer: FloquetAnswer) -> bool:
     return _is_slow(answer) or math.isfinite(answer.ends_at) or answer.unknown_share > _SLIVER
 
 
-def blank_parts(answer: FloquetAnswer) -> str:
+def blank_parts(answer: FloquetAnswer, units: Units) -> str:
     """Say which part of the window is blank, where that is more than a sliver."""
     start = answer.followed_from
     words = ""
@@ -137,13 +137,24 @@ def blank_parts(answer: FloquetAnswer) -> str:
             f" {percent(answer.unknown_share)} of the map is blank: within one period of the load "
             "the whirl grows too much there for its rate to be known."
         )
-    if not _is_slow(answer):
-        return words
-    where = f"Below θ/ωₙ = {start:.3g}" if start < answer.frequency_range[1] else "Here"
-    return words + (
-        f" {where} the map is blank: the load is so slow that one period holds too many whirl "
-        "cycles, or too much growth, to compute."
-    )
+    if _is_slow(answer):
+        words += (
+            f" {_below(answer, start, units)} the map is blank: the load is so slow that one "
+            "period holds too many whirl cycles, or too much growth, to compute."
+        )
+    low, high = answer.frequency_range
+    if answer.drawn_from > max(low, start) + _SLIVER * (high - low):
+        words += (
+            f" {_below(answer, answer.drawn_from, units)} (dotted) outlines are left out or "
+            "rough: tongues of high order stand closer together there than the chart can show; "
+            "zoom in to see them."
+        )
+    return words
+
+
+def _below(answer: FloquetAnswer, frequency: float, units: Units) -> str:
+    """Return which part of the chart lies below a frequency, in words."""
+    return f"Below {units.place(frequency)}" if frequency < answer.frequency_range[1] else "Here"
 
 
 def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: bool = True) -> str:
@@ -157,7 +168,7 @@ def verdict(answer: FloquetAnswer, scales: Scales | None = None, bolotin_shown: 
     bolotin_shown : bool
         Whether the chart shows Bolotin's regions; otherwise the verdict does not name them.
     """
-    return _opening(answer, scales) + _comparison(answer, bolotin_shown) + _end(answer)
+    return _opening(answer, scales) + _comparison(answer, bolotin_shown) + _end(answer, scales)
 
 
 def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
@@ -167,5 +178,7 @@ def _opening(answer: FloquetAnswer, scales: Scales | None) -> str:
     return f"{_regions(answer, units)} {smallest_load(answer, units)}"
 
 
-def _end(answer: FloquetAnswer) -> str:
-    return "" if answer.detail is Detail.COARSE else blank_parts(answer)
+def _end(answer: FloquetAnswer, scales: Scales | None) -> str:
+    if answer.detail is Detail.COARSE:
+        return ""
+    return blank_parts(answer, Units(answer.fundamental_frequency, answer.reference_load, scales))

@@ -25,7 +25,7 @@ from rotorstab.drawing import screen
 from tests.testing.amounts import examples
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
-KINDS = {"regions", "outlines", "lines", "points", "labels", "map", "bands", "edges"}
+KINDS = {"blanks", "regions", "outlines", "lines", "points", "labels", "map", "bands", "edges"}
 PAST_FLUTTER = {"load_type": "follower", "reference": "flutter", "static_load_factor": 0.95}
 
 

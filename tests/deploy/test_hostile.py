@@ -203,7 +203,10 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     spent = []
 
     def note(system, static, loads, frequencies, **options):
-        spent.append(float((np.abs(whirl_frequencies(system, static)).max() / frequencies).sum()))
+        # a chart is of the four slowest whirls
+        fastest = np.sort(np.abs(whirl_frequencies(system, static)))[3]
+        assert options["slow_whirls"]
+        spent.append(float((fastest / frequencies).sum()))
         assert options["most_refined"] <= max(limits.MOST_REFINED.values())
         return stability_chart(system, static, loads, frequencies, **options)
 
@@ -213,7 +216,7 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     answer = analysis.solve(state, Detail.FULL).floquet
     size = limits.map_size(model_of(state), Detail.FULL)
     columns = size.columns * size.finer + 2
-    most = limits.MOST_WORK[model_of(state).kind, model_of(state).is_damped] * columns
+    most = limits.MOST_WORK[limits.POLYNOMIALS, model_of(state).is_damped] * columns
     assert all(one <= most for one in spent)
     assert answer.followed_from > 0
     assert "the map is blank" in verdict(answer)

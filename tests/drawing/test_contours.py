@@ -20,8 +20,21 @@ STATES = {
     "rotating damping": {"internal_damping": 0.01, "external_damping": 0.02, "spin_speed": 0.7},
     "exact law": {"law": "exact", "static_load_factor": 0.3},
     "finite elements": {"model": "finite elements", "spin_speed": 1.4},
+    "damped finite elements": {"model": "finite elements", "external_damping": 0.015},
+    "stout finite elements": {
+        "model": "finite elements",
+        "shear": 0.1,
+        "disk_mass": 2.0,
+        "polar_inertia": 1.0,
+        "diametral_inertia": 0.5,
+    },
 }
-VIEWS = {"whole": None, "zoomed": View(1.1, 2.3, 0.35, 0.8), "deep": View(1.62, 1.72, 0.02, 0.1)}
+VIEWS = {
+    "whole": None,
+    "zoomed": View(1.1, 2.3, 0.35, 0.8),
+    "deep": View(1.62, 1.72, 0.02, 0.1),
+    "slow loads": View(0.3, 1.0, 0.3, 1.0),
+}
 
 
 def drawn(options, detail, view):
@@ -43,16 +56,19 @@ def unstable(state, view, points):
 
 @pytest.mark.parametrize("name", STATES)
 @pytest.mark.parametrize("view", VIEWS)
-def test_an_outline_lies_within_a_pixel_of_the_edge_while_inputs_move(name, view):
-    state, _, points = drawn(STATES[name], Detail.COARSE, VIEWS[view])
+@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
+def test_an_outline_lies_within_a_pixel_of_the_edge(name, view, detail):
+    state, _, points = drawn(STATES[name], detail, VIEWS[view])
     seen = VIEWS[view] or home_view(state.inputs())
     pixel = np.array([(seen.right - seen.left) / PIXELS[0], (seen.high - seen.low) / PIXELS[1]])
-    points = points[points[:, 0] > 0.8]  # at slower loads there are more tongues than pixels
     if not len(points):
         assert (name, view) != ("paper", view)
         return
     points = points[np.random.default_rng(0).permutation(len(points))[:60]]
-    steps = pixel * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1), (0.3, 0), (-0.3, 0)])
+    # near its tip a tongue is thinner than a pixel
+    parts = (-1.0, -0.3, -0.1, 0.1, 0.3, 1.0)
+    across, up = ([(part, 0.0) for part in parts], [(0.0, part) for part in parts])
+    steps = pixel * np.array([(0.0, 0.0), *across, *up])
     grows = unstable(state, VIEWS[view], points[:, None] + steps)
     assert (grows.any(axis=1) & ~grows.all(axis=1)).mean() > 0.95
 

@@ -11,7 +11,7 @@ from .columns import Lines, label_columns
 from .modes import modes
 from .quantities import EXCITATION_RATIO, LOAD_FACTOR
 from .structure import Chart, Layer
-from .tongues import GrowthGrid, growth_layers, outline_layers, tongue_labels
+from .tongues import GrowthGrid, blank_layers, growth_layers, outline_layers, tongue_labels
 
 __all__ = ["BOLOTIN", "instability_chart"]
 
@@ -27,6 +27,7 @@ def instability_chart(
     factor_range: float | tuple[float, float],
     grid: GrowthGrid | None = None,
     tongues: Sequence[tuple[float, str]] = (),
+    blanks: Sequence[tuple[tuple[float, float, float, float], str]] = (),
 ) -> Chart:
     """Return Bolotin's regions, and Floquet's growth, in the paper's axes θ/ω_n and β_d.
 
@@ -45,6 +46,8 @@ def instability_chart(
         Floquet's answer; without it the chart is the paper's.
     tongues : sequence of (float, str)
         Centres θ/ω_n and names of the true tongues.
+    blanks : sequence of ((float, float, float, float), str)
+        Rectangles of the chart that `grid` does not cover, and why: see `blank_layers`.
     """
     scales = fundamental_frequency, reference_load
     low, high = factor_range if isinstance(factor_range, tuple) else (0.0, factor_range)
@@ -53,6 +56,7 @@ def instability_chart(
     if grid is not None:
         below = growth_layers(grid, scales)
         above = [] if grid.edges is None else outline_layers(grid.edges, scales)
+        above += blank_layers(blanks, frequency_range, (low, high))
         above.append(tongue_labels(tongues, frequency_range, (low, high)))
     return Chart(
         key="instability",

@@ -84,13 +84,16 @@ class Layer:
 
     Parameters
     ----------
-    kind : {"map", "bands", "edges", "regions", "areas", "outlines", "lines", "points", "labels"}
+    kind : str
+        "map", "bands", "edges", "blanks", "regions", "areas", "outlines", "lines", "points" or
+        "labels".
         A map has one row: a 2-d `image` (rows upwards, NaN is clear) and further 2-d columns
-        for hovering, over the rectangle `x`, `y`, `dw`, `dh`. Regions, areas, outlines and lines
-        hold a list of arrays in `xs`, `ys`; the others have one value a row in `x`, `y`. All but
-        maps and bands have a `name`. Labels have a `side` of their point, where the text stands.
-        The others have the columns `role` and `group`, and may have `mode`, `pair` and `order`:
-        see `Curve`. A column `wording` holds a `Wording` where a name gives a value, else None.
+        for hovering, over the rectangle `x`, `y`, `dw`, `dh`. Blanks, regions, areas, outlines and
+        lines hold a list of arrays in `xs`, `ys`; the others have one value a row in `x`, `y`. All
+        but maps and bands have a `name`. Labels have a `side` of their point, where the text
+        stands. The others have the columns `role` and `group`, and may have `mode`, `pair` and
+        `order`: see `Curve`. A column `wording` holds a `Wording` where a name gives a value, else
+        None.
 
         Bands and edges have one row: the grid on which Floquet's verdict is known, from which
         they are drawn as contours. `x` (C,) and `y` (R,) are its coordinates, `edge` (R, C) is
@@ -98,10 +101,11 @@ class Layer:
         the lines of the grid: see `GridEdges`. Bands also have `growth` (R, C) and `top`, the
         growth at the upper end of the colours; edges have `name`, `role` and `group`.
 
+        Blanks are parts of a chart that are not computed, `xs` and `ys` of their polygons.
+
         A region is Bolotin's. An area is a polygon that is filled with the colour of its role. An
-        outline bounds what Floquet finds unstable: its left edge
-        upwards, a gap, its right edge downwards, with further gaps where it runs along the
-        border of the chart.
+        outline bounds what Floquet finds unstable: its left edge upwards, a gap, its right edge
+        downwards, with further gaps where it runs along the border of the chart.
     label : str
         Unique within its chart.
     columns : mapping of str to sequence

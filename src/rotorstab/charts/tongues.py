@@ -19,6 +19,7 @@ __all__ = [
     "FLOQUET",
     "GrowthGrid",
     "add_outline",
+    "blank_layers",
     "fitted_top",
     "growth_layers",
     "outline_layers",
@@ -27,6 +28,7 @@ __all__ = [
 ]
 
 
+_NARROW, _ROOM = 0.25, 0.02  # of the chart's width: a part that is narrower has an upright label
 _LABEL = 0.2  # of the chart's width for a label: a phone is narrow
 THIN = "thin tongue (Floquet)"
 FLOQUET = "unstable (Floquet)"
@@ -199,6 +201,38 @@ def outline_layers(edges: GridEdges, scales: tuple[float, float]) -> list[Layer]
     return [
         Layer("edges", "tongue edge", {**_edge_columns(edges, scales), **look}),
         Layer("lines", "thin tongue", lines.columns),
+    ]
+
+
+def blank_layers(
+    blanks: Sequence[tuple[tuple[float, float, float, float], str]],
+    frequency_range: tuple[float, float],
+    factor_range: tuple[float, float],
+) -> list[Layer]:
+    """Return parts of a chart that are not computed, and a text in each of them.
+
+    Parameters
+    ----------
+    blanks : sequence of ((float, float, float, float), str)
+        Left and right end, lower and upper end of each rectangle, and its text.
+    frequency_range, factor_range : (float, float)
+        Of the axes.
+    """
+    width, height = np.ptp(frequency_range), np.ptp(factor_range)
+    rows = []
+    for (left, right, low, high), text in blanks:
+        upright = right - left < _NARROW * width
+        x = (left + right) / 2 if upright else left + _ROOM * width
+        y = low + (3 * _ROOM * height if upright else (high - low) / 2)
+        rows.append((float(x), float(y), text, "upright" if upright else "right"))
+    shapes: dict[str, list[Any]] = {
+        "xs": [np.array([box[0], box[1], box[1], box[0]]) for box, _ in blanks],
+        "ys": [np.array([box[2], box[2], box[3], box[3]]) for box, _ in blanks],
+        "name": [text for _, text in blanks],
+    }
+    return [
+        Layer("blanks", "not computed", shapes),
+        Layer("labels", "reason", label_columns(rows)),
     ]
 
 

@@ -14,6 +14,7 @@ except ImportError as error:
 from ..charts import Chart
 
 __all__ = [
+    "apply_dots",
     "apply_hatch",
     "apply_label_places",
     "apply_line_styles",
@@ -92,6 +93,13 @@ def apply_hatch(plot: Any, _: Any) -> None:
         hatch_alpha=0.3,
         hatch_scale=9,
         hatch_weight=0.8,
+    )
+
+
+def apply_dots(plot: Any, _: Any) -> None:
+    """Dot what is not computed, so that it is taken neither for stable nor for a region."""
+    plot.handles["glyph"].update(
+        hatch_pattern="dot", hatch_color="#6b7280", hatch_alpha=0.35, hatch_scale=8
     )
 
 

@@ -96,6 +96,21 @@ def _regions(panel: Chart, opacity: float) -> list[hv.Element]:
     ]
 
 
+def _blanks(panel: Chart) -> list[hv.Element]:
+    """Return what is not computed, dotted."""
+    return [
+        hv.Polygons([{"x": x, "y": y}], ["x", "y"]).opts(
+            facecolor="#e3e5e8",
+            edgecolor="#9aa1ab",
+            linewidth=0.0,
+            hatch="....",
+            backend="matplotlib",
+        )
+        for layer in panel.of_kind("blanks")
+        for x, y in zip(layer.columns["xs"], layer.columns["ys"], strict=True)
+    ]
+
+
 def _edge_hook(bands: Layer) -> Callable[[Any, Any], None]:
     """Return a HoloViews hook that draws the edge of what is unstable."""
 
@@ -138,7 +153,7 @@ def panel_overlay(panel: Chart) -> hv.Overlay:
     if bands is not None:
         hooks += [growth_hook(bands), _edge_hook(bands)]
     regions = _regions(panel, PALE if thin else SHADE)
-    return hv.Overlay([*regions, *lines, *points]).opts(
+    return hv.Overlay([*_blanks(panel), *regions, *lines, *points]).opts(
         hv.opts.Overlay(
             title=f"({panel.letter}) {panel.title}" if panel.letter else panel.title,
             xlabel=mathtext(panel.x.name(with_unit=True)),

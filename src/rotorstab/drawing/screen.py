@@ -24,6 +24,7 @@ from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
 from . import contours
 from .contours import GROWTH_COLOURS
 from .hooks import (
+    apply_dots,
     apply_hatch,
     apply_label_places,
     apply_line_styles,
@@ -106,7 +107,7 @@ def columns(layer: Layer) -> dict[str, Any]:
         x, y = contours.outline(layer)
         rows = {key: data[key] for key in ("name", "role", "group")}
         return columns(Layer("lines", layer.label, {"xs": [x], "ys": [y], **rows}))
-    if layer.kind == "regions":
+    if layer.kind in ("blanks", "regions"):
         # MultiPolygons nest: polygon, then its outer ring
         return {
             "xs": [[[x]] for x in data["xs"]],
@@ -198,18 +199,19 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
         return _draw_map(chart, layer)
     if layer.kind == "bands":
         return _draw_bands(chart, layer)
-    if layer.kind == "regions":
+    if layer.kind in ("blanks", "regions"):
         paths = [
             {"x": xs[0][0], "y": ys[0][0], "name": name}
             for xs, ys, name in zip(*data.values(), strict=True)
         ]
         shape = hv.Polygons(paths, vdims=["name"], label=label)
+        blank = layer.kind == "blanks"
         return shape.opts(
             hv.opts.Polygons(
                 color="#8a93a0",
-                fill_alpha=0.06,
+                fill_alpha=0.16 if blank else 0.06,
                 line_alpha=0.0,
-                hooks=[apply_hatch],
+                hooks=[apply_dots if blank else apply_hatch],
                 backend="bokeh",
             )
         )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -44,6 +45,23 @@ class GridEdges(NamedTuple):
     across: Array
     along: Array
     thin: tuple[ThinTongue, ...] = ()
+
+    def from_column(self, first: int) -> GridEdges:
+        """Return the part of the grid from one of its columns to the last."""
+        frequencies = self.excitation_frequencies[first:]
+        thin = []
+        for line in self.thin:
+            theta = line.excitation_frequencies
+            inside = np.where(theta >= frequencies[0], theta, np.nan)
+            if np.isfinite(inside).any():
+                thin.append(replace(line, excitation_frequencies=inside))
+        return self._replace(
+            excitation_frequencies=frequencies,
+            function=self.function[:, first:],
+            across=self.across[:, first:],
+            along=self.along[:, first:],
+            thin=tuple(thin),
+        )
 
 
 def grid_edges(

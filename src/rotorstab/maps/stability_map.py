@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,6 +84,8 @@ def stability_chart(
     most_refined: int | None = None,
     seed: bool = True,
     edges: bool = False,
+    resolve: float = math.inf,
+    slow_whirls: bool = False,
 ) -> StabilityChart:
     """Return growth rates on a grid, with errors and the verdict of each pixel.
 
@@ -112,6 +115,13 @@ def stability_chart(
     edges : bool
         Whether to find the edge of the unstable set between the points of the grid, whose loads,
         0 or more, and frequencies must then rise.
+    resolve : float
+        θ̄ down to which the edge is found between the columns, also where that takes longer than
+        the columns themselves.
+    slow_whirls : bool
+        Whether a system of more than two coordinates is represented by its four slowest whirls,
+        which takes a tenth of the time and finds their tongues of any order. What faster whirls do
+        to them as their multipliers pass is left out.
 
     Returns
     -------
@@ -120,7 +130,8 @@ def stability_chart(
     Raises
     ------
     ValueError
-        If an argument is not finite, out of range or not 1-d, or `refine` is a number.
+        If an argument is not finite, out of range or not 1-d, or `refine` is a number; of the kind
+        `InseparableWhirls` if `slow_whirls` and these have wide tongues together with faster ones.
 
     Notes
     -----
@@ -166,7 +177,14 @@ def stability_chart(
         loads, periods = magnitude[rows], 2 * np.pi / frequencies
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             interpolant = ChartInterpolant(
-                system, static, float(loads[-1]), periods, density, between=seed
+                system,
+                static,
+                float(loads[-1]),
+                periods,
+                density,
+                between=seed,
+                resolve=2 * np.pi / resolve,
+                slow=slow_whirls,
             )
             solve = interpolant.growth_and_edge if edges else interpolant.growth
             part, slack, smooth = solve(*interpolant.on_grid(loads, periods), periods)

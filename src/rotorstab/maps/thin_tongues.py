@@ -14,7 +14,7 @@ from ..floquet.resonance import Resonance, resonances
 from ..floquet.tongues.collision_measure import collision_measure
 from ..floquet.tongues.collisions import multiplier_collisions
 from ..floquet.tongues.intervals import Interval
-from ..floquet.tongues.linking import FARTHEST_MOVE, linked_pieces
+from ..floquet.tongues.linking import FARTHEST_MOVE, Piece, linked_pieces
 from ..floquet.tongues.tracking import tongue_centres
 
 __all__ = ["ThinTongue", "thin_tongues"]
@@ -82,20 +82,17 @@ def thin_tongues(
     rows = tuple(row for row in table.tongues if frequencies[0] < row.centre < frequencies[-1])
     if not interpolant.closed_form:
         return _of_table(interpolant, rows, loads, frequencies, follow)
-    narrow = _NARROW * float(np.diff(frequencies).max())
     stride = max(1, len(loads) // _LEAST_ROWS)
     some = np.flatnonzero(loads > 0)[::stride]
     pieces = linked_pieces(loads[some], _meetings(interpolant, loads[some]), float(loads[some[0]]))
-    found = []
+    # tongues of whirls that the interpolant leaves out
+    kept = {table.modes[index] for index in interpolant.sampler.whirls}
+    left_out = tuple(row for row in rows if not {row.first, row.second} <= kept)
+    rows = tuple(row for row in rows if row not in left_out)
+    found = list(_of_table(interpolant, left_out, loads, frequencies, follow))
     for piece in pieces:
-        level = np.array(piece.loads)
-        centre = np.array([interval.centre for interval in piece.intervals])
-        width = np.array([interval.right - interval.left for interval in piece.intervals])
-        beside = _unstable_columns(level, centre, function, loads, frequencies)
-        # not in the midst of a wide tongue, where other multipliers may meet
-        hidden = ~beside[1:3].any(axis=0) | ((width < narrow) & ~beside[[0, 3]].all(axis=0))
-        hidden = _of_rows(hidden, np.isin(level, loads))
-        level, centre, hidden = _rooted(level, centre, hidden, rows, loads[some])
+        level, centre, hidden, lost = _seen(piece, interpolant, function, loads, frequencies)
+        level, centre, hidden, lost = _rooted(level, centre, hidden, lost, rows, loads[some])
         if not hidden.any():
             continue
         nearest = table.nearest(float(centre[0]), _HIGHEST_ORDER)
@@ -103,9 +100,29 @@ def thin_tongues(
         near = hidden.copy()
         near[1:] |= hidden[:-1]
         near[:-1] |= hidden[1:]
+        near &= ~lost
         name, order = (nearest[0].name, nearest[1]) if nearest else ("", 0)
         found.append(ThinTongue(name, order, *_in_parts(level, np.where(near, centre, np.nan))))
     return tuple(found)
+
+
+def _seen(
+    piece: Piece, interpolant: ChartInterpolant, function: Array, loads: Array, frequencies: Array
+) -> tuple[Array, Array, Mask, Mask]:
+    """Return loads and centres of a piece, where columns do not see it, and where a wide one does.
+
+    A narrow piece in the midst of a wide tongue, where other multipliers meet, is no tongue.
+    """
+    level = np.array(piece.loads)
+    centre = np.array([interval.centre for interval in piece.intervals])
+    width = np.array([interval.right - interval.left for interval in piece.intervals])
+    narrow = width < _NARROW * float(np.diff(frequencies).max())
+    beside = _unstable_columns(level, centre, function, loads, frequencies)
+    # with damping what is unstable is wide, and the tongue of a pair is no part that stands out
+    far = beside[[0, 3]]
+    midst = far.any(axis=0) if interpolant.system.is_damped else far.all(axis=0)
+    hidden = _of_rows(~beside[1:3].any(axis=0) | (narrow & ~midst), np.isin(level, loads))
+    return level, centre, hidden, ~hidden & narrow & midst
 
 
 def _meetings(interpolant: ChartInterpolant, loads: Array) -> list[list[Interval]]:
@@ -147,15 +164,20 @@ def _in_parts(level: Array, centre: Array) -> tuple[Array, Array]:
 
 
 def _rooted(
-    level: Array, centre: Array, hidden: Mask, rows: tuple[Resonance, ...], loads: Array
-) -> tuple[Array, Array, Mask]:
+    level: Array,
+    centre: Array,
+    hidden: Mask,
+    lost: Mask,
+    rows: tuple[Resonance, ...],
+    loads: Array,
+) -> tuple[Array, Array, Mask, Mask]:
     """Return a line drawn on to the root of a tongue of first order, if it begins near one."""
     if rows and level[0] <= loads[min(_ROOT_ROWS, len(loads) - 1)]:
         row = min(rows, key=lambda row: abs(row.centre - centre[0]))
         if abs(row.centre - centre[0]) <= _ROOT_MOVE * row.centre and row.threshold < level[0]:
             level, centre = np.append(row.threshold, level), np.append(row.centre, centre)
-            hidden = np.append(True, hidden)
-    return level, centre, hidden
+            hidden, lost = np.append(True, hidden), np.append(False, lost)
+    return level, centre, hidden, lost
 
 
 def _unstable_columns(

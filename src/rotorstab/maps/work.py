@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..floquet.interpolant.chart_interpolant import chart_panels
 from ..floquet.interpolant.sampling import NodeSampler
+from ..floquet.interpolant.slow_whirls import SlowSampler
 from ..model.system import System
 
 __all__ = ["columns_within_work"]
@@ -19,6 +22,9 @@ def columns_within_work(
     excitation_frequencies: NDArray[np.float64],
     density: float,
     most_work: float,
+    *,
+    resolve: float = math.inf,
+    slow_whirls: bool = False,
 ) -> NDArray[np.bool_]:
     """Return which columns of `stability_chart` can be computed with a bounded amount of work.
 
@@ -35,6 +41,8 @@ def columns_within_work(
     most_work : float
         Largest sum of Chebyshev nodes times integration steps. Near the load at which the exact
         stiffness law ends the number of steps rises without bound.
+    resolve, slow_whirls : float, bool
+        As for `stability_chart`.
 
     Returns
     -------
@@ -43,10 +51,11 @@ def columns_within_work(
     """
     order = np.argsort(-excitation_frequencies, kind="stable")
     periods = 2 * np.pi / excitation_frequencies[order]
-    sampler = NodeSampler(system, static_load, largest_load)
+    kind = SlowSampler if slow_whirls and system.size > 2 else NodeSampler
+    sampler = kind(system, static_load, largest_load)
 
     def suffices(count: int) -> bool:
-        panels = chart_panels(sampler, periods[:count], density)
+        panels = chart_panels(sampler, periods[:count], density, resolve=2 * np.pi / resolve)
         return sum(panel.work for panel in panels) <= most_work
 
     enough, too_many = 0, len(order) + 1

@@ -54,6 +54,9 @@ def test_rows_of_the_map_past_the_pole_are_blank():
     heights = [np.nanmax(y) for y in chart.layer("boundary").columns["ys"]]
     assert max(heights) == pytest.approx(limit, rel=1e-9)
     assert all(y.max() <= limit * (1 + 1e-9) for y in chart.layer("Bolotin region").columns["ys"])
+    blank = chart.layer("not computed")
+    assert "beyond the exact stiffness law" in blank.columns["name"]
+    assert blank.columns["ys"][0].min() == pytest.approx(limit)
     words = verdict(result.floquet)
     assert f"Above β_d = {limit:.3g} the map is blank" in words
     assert "the computed part of this window" in words

@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
+from app.results.analysis import solve
 from app.results.limits import Detail
 from app.results.model import Model
 from app.results.window import Window, floquet_map
-from rotorstab import BASE_CASE
+from app.state import State
+from rotorstab import BASE_CASE, ShaftDisk
 from tests.testing.example_rotors import P, W
 
 
@@ -45,3 +47,36 @@ def test_a_finer_map_holds_all_that_a_coarser_one_does():
     assert full.growth.refined == 0 < refined.growth.refined
     assert (full.growth.error >= refined.growth.error).all()
     np.testing.assert_array_equal(full.mask, refined.mask)
+
+
+@pytest.mark.parametrize("options", [{}, {"kind": "finite elements"}])
+def test_below_the_outlines_the_chart_says_that_it_is_not_drawn(options):
+    window = Window(Model(BASE_CASE, **options), 2.0, 0.0, 0.5 * P, 0.0, 6 * W, P)
+    for detail in (Detail.COARSE, Detail.FULL):
+        made = floquet_map(window, detail)
+        assert 0.1 * W < made.drawn_from < 0.9 * W
+        assert made.edges.excitation_frequencies[0] == pytest.approx(made.drawn_from)
+        for line in made.edges.thin:
+            assert np.nanmin(line.excitation_frequencies) >= made.drawn_from
+    zoomed = Window(Model(BASE_CASE, **options), 2.0, 0.0, 0.5 * P, 2 * W, 3 * W, P)
+    assert floquet_map(zoomed, Detail.COARSE).drawn_from == 0.0
+
+
+def test_finite_elements_whose_whirls_cannot_be_separated_are_drawn_with_all_of_them():
+    stout = ShaftDisk(shear=0.1, disk_mass=2.0, diametral_inertia=0.5, polar_inertia=1.0)
+    window = Window(Model(stout, "finite elements"), 2.0, 0.0, 0.5 * P, W, 6 * W, P)
+    made = floquet_map(window, Detail.COARSE)
+    assert (made.edges.function > 0).any()
+    assert made.growth.growth.shape == (16, 64)
+
+
+def test_the_chart_names_what_is_not_drawn():
+    for state, detail, text in (
+        (State(), Detail.COARSE, "computed at rest"),
+        (State(), Detail.FULL, "not drawn: load too slow"),
+    ):
+        chart = solve(state, detail).charts["instability"]
+        assert text in chart.layer("not computed").columns["name"]
+        assert text in chart.layer("reason").columns["name"]
+    whole = solve(State(lowest_frequency=1.0), Detail.COARSE).charts["instability"]
+    assert not len(whole.layer("not computed").columns["name"])

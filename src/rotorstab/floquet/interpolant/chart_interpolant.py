@@ -15,12 +15,14 @@ from .growth import Measure, collision_approach, largest_modulus, self_inversive
 from .matrix_growth import matrix_growth, reversed_growth
 from .panels import Panel, plan_panels
 from .sampling import ERROR_POWER, MAP_LEVELS, NodeSampler, PanelSamples
+from .slow_whirls import SlowSampler
 
 __all__ = ["ChartInterpolant", "chart_panels"]
 
 # steps of the first level per radian of the fastest mode: with a closed form an error of 1e-7 or so
-# in the coefficients, with matrices of 1e-6 in the growth
-_STEPS_PER_RADIAN, _STEPS_PER_RADIAN_OF_MATRICES = 1.7, 1.2
+# in the coefficients, with matrices of 1e-6 in the growth, with the slow whirls of larger systems,
+# which the steps of the fast ones follow more closely than these, of 1e-5 in the growth
+_STEPS_PER_RADIAN, _STEPS_PER_RADIAN_OF_MATRICES, _STEPS_PER_RADIAN_OF_SLOW = 1.7, 1.2, 0.5
 _TOLERANCE = 1e-6  # of the interpolation, in a cautious rule: the error is 1e-9 or so
 _BANDWIDTH_MARGIN = 1.03
 _SWING_MARGIN = {True: 1.15, False: 1.3}  # of a linear and of the exact stiffness
@@ -39,18 +41,22 @@ def chart_panels(
     """Return the panels in which a chart is sampled; see `ChartInterpolant`."""
     system, basis = sampler.system, sampler.basis
     frequencies = basis.frequencies
+    coupling = _coupling(sampler)
     drive = float(np.linalg.norm(sampler.load_slope, 2)) * (
         sampler.largest_load + abs(sampler.static_load - float(basis.load))
     )
     fastest = float(np.sqrt(np.abs(frequencies).max() ** 2 + drive))
-    steps = _STEPS_PER_RADIAN if sampler.closed_form else _STEPS_PER_RADIAN_OF_MATRICES
-    strength = float(np.sqrt(np.abs(sampler.coupling * sampler.coupling.T).max()))
+    if isinstance(sampler, SlowSampler):
+        steps = _STEPS_PER_RADIAN_OF_SLOW
+    else:
+        steps = _STEPS_PER_RADIAN if sampler.closed_form else _STEPS_PER_RADIAN_OF_MATRICES
+    strength = float(np.sqrt(np.abs(coupling * coupling.T).max()))
     if between and sampler.closed_form:
         resolve = max(resolve, _longest_tongue(sampler))
     return plan_panels(
         periods,
         bandwidth=_BANDWIDTH_MARGIN * _bandwidth(sampler),
-        decay=float(np.ptp(frequencies.imag)),
+        decay=float(np.ptp(frequencies[sampler.whirls].imag)),
         swing=_SWING_MARGIN[system.is_linear] * strength * sampler.largest_load,
         rate=density * sampler.share * fastest * steps / MAP_LEVELS[0],
         density=density,
@@ -60,9 +66,14 @@ def chart_panels(
     )
 
 
+def _coupling(sampler: NodeSampler) -> AnyArray:
+    """Return the coupling by the load of the whirls that a chart is of."""
+    return np.asarray(sampler.coupling[np.ix_(sampler.whirls, sampler.whirls)])
+
+
 def _bandwidth(sampler: NodeSampler) -> float:
     """Return the largest frequency of the interpolated functions of T."""
-    frequencies = sampler.basis.frequencies
+    frequencies = sampler.basis.frequencies[sampler.whirls]
     if not sampler.closed_form:
         return float(sampler.share * np.abs(frequencies).max())
     # c₁ turns with single frequencies, c₂ with sums of two, the mean one taken out
@@ -73,7 +84,7 @@ def _bandwidth(sampler: NodeSampler) -> float:
 
 def _longest_tongue(sampler: NodeSampler) -> float:
     """Return the period up to which the resonance table has tongues, with room to drift."""
-    frequencies, coupling = sampler.basis.frequencies, sampler.coupling
+    frequencies, coupling = sampler.basis.frequencies[sampler.whirls], _coupling(sampler)
     gap = np.abs(np.subtract.outer(frequencies, frequencies).real)
     strength = -(coupling * coupling.T).real
     centres = gap[(strength > NEGLIGIBLE * np.abs(strength).max()) & (gap > 0)]
@@ -104,6 +115,13 @@ class ChartInterpolant:
         resonance table has a tongue.
     resolve : float
         Period up to which points between columns will be evaluated in any case.
+    slow : bool
+        Whether to keep the four slowest whirls only, of a system of more than two coordinates.
+
+    Raises
+    ------
+    InseparableWhirls
+        If `slow` and these have tongues together with faster ones.
     """
 
     def __init__(
@@ -115,8 +133,10 @@ class ChartInterpolant:
         density: float = 1.0,
         between: bool = False,
         resolve: float = 0.0,
+        slow: bool = False,
     ) -> None:
-        self.sampler = sampler = NodeSampler(system, static_load, largest_load)
+        kind = SlowSampler if slow and system.size > 2 else NodeSampler
+        self.sampler = sampler = kind(system, static_load, largest_load)
         self.panels = chart_panels(sampler, periods, density, between, resolve)
         self._samples: list[PanelSamples] = [
             sampler.sample(panel, periods) for panel in self.panels
@@ -134,7 +154,7 @@ class ChartInterpolant:
 
     @property
     def closed_form(self) -> bool:
-        """Whether multipliers are found in closed form: with two coordinates."""
+        """Whether multipliers are found in closed form: those of two coordinates or four whirls."""
         return self.sampler.closed_form
 
     def _load_values(self, loads: Array, count: int) -> Array:
@@ -223,7 +243,7 @@ class ChartInterpolant:
             growth, slack, approach = self_inversive_growth(functions, error, with_approach=True)
             growth, slack, smooth = growth / periods, slack / periods, edge_of_approach(approach)
         else:
-            shift = -self.sampler.drift.imag * periods if self.closed_form else 0.0
+            shift = self.sampler.mean_growth(functions, periods) if self.closed_form else 0.0
             measure = partial(edge_of_multipliers, shift=shift, damped=damped)
             growth, slack, smooth = self._solve(functions, error, periods, measure)
         return growth, slack, with_verdict(smooth / periods**2, growth, slack, damped)
@@ -234,8 +254,8 @@ class ChartInterpolant:
         """Return growth rates, bounds on their errors and a function of the multipliers."""
         if self.closed_form:
             last = np.exp(-self.sampler.excess * periods)
-            growth, slack, measured = largest_modulus(functions, last, error, measure)
-            growth = growth - self.sampler.drift.imag * periods
+            growth, slack, measured = largest_modulus(functions[:3], last, error[:3], measure)
+            growth = growth + self.sampler.mean_growth(functions, periods)
         else:
             size = 2 * self.system.size
             shape = (*functions.shape[1:], size, size)

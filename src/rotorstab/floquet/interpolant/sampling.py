@@ -8,7 +8,7 @@ import numpy as np
 
 from ..._numerics.chebyshev import chebyshev_nodes, chebyshev_transform
 from ..._numerics.extrapolation import extrapolation_weights
-from ..._types import AnyArray, Array, Complex
+from ..._types import AnyArray, Array, Complex, Index
 from ...model.modal import ModalBasis, splitting_basis
 from ...model.system import System
 from ..integrator import propagate
@@ -16,7 +16,7 @@ from ..schemes import MAP_SCHEME
 from .characteristic import characteristic_coefficients, reversed_coefficients
 from .panels import Panel
 
-__all__ = ["ERROR_POWER", "MAP_LEVELS", "NodeSampler", "PanelSamples"]
+__all__ = ["ERROR_POWER", "MAP_LEVELS", "NodeSampler", "PanelSamples", "probes"]
 
 MAP_LEVELS = (4, 3, 2)
 """Step counts of the extrapolation of order 4 on charts, times a common factor."""
@@ -26,11 +26,17 @@ ERROR_POWER = 4
 
 _TWO, _THREE = (extrapolation_weights(MAP_LEVELS[:count], 4) for count in (2, 3))
 _ROUNDING = 1e-14  # relative, in the coefficients
+_SAFETY = 4  # factor on the measured error
 _SUM_ROUNDING = 1e-15  # relative to the largest term of a sum
 _PROBES = (0.0, 0.15, 0.3, 0.5)  # parts of a panel, longest period first, where steps are checked
-_SAFETY = 4  # factor on the measured error
 _COLUMNS_PER_PROBE = 12  # with matrices: one period in so many is checked
 _SMALLEST_SWING = 1e-3  # p̄_t over which the slope of K(p̄) is taken at least
+
+
+def probes(period: Array) -> list[int]:
+    """Return which of some nodes in T have their error measured, most of them long periods."""
+    count, longest_first = len(period), period[0] > period[-1]
+    return sorted({round((count - 1) * (x if longest_first else 1 - x)) for x in _PROBES})
 
 
 class PanelSamples(NamedTuple):
@@ -84,6 +90,8 @@ class NodeSampler:
         self.drift = frequencies.mean().real + 1j * frequencies.imag.min()
         self.excess = float((frequencies.imag - self.drift.imag).sum())
         n = system.size
+        # the whirls whose multipliers a chart is of
+        self.whirls: Index = np.arange(2 * n)
         self.load_slope = self._load_slope()
         self.coupling = self.basis.inverse[:, n:] @ self.load_slope @ self.basis.vectors[:n]
 
@@ -105,6 +113,10 @@ class NodeSampler:
     def largest_variable(self) -> float:
         """The `load_variable` of the largest load."""
         return float(self.load_variable(np.asarray(self.largest_load)))
+
+    def mean_growth(self, functions: AnyArray, periods: Array) -> Array | float:
+        """Return what was divided out of the multipliers of a closed form, as ln|μ| (...)."""
+        return np.asarray(-self.drift.imag * periods)
 
     def variable_nodes(self, count: int) -> Array:
         """Return `count` Chebyshev nodes in the `load_variable`, in falling order."""
@@ -157,8 +169,7 @@ class NodeSampler:
         measures the errors, which grow with T and oscillate with the phases of the modes.
         """
         damped, count = self.system.is_damped, len(period)
-        longest_first = period[0] > period[-1]
-        at = sorted({round((count - 1) * (x if longest_first else 1 - x)) for x in _PROBES})
+        at = probes(period)
         spans = [period, period, period[at]]
         y = np.concatenate(
             [

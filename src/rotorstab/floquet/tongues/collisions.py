@@ -97,9 +97,9 @@ def _motion(
     if interpolant.system.is_damped:
         excess = interpolant.sampler.excess
         last = np.exp(-excess * period)
-        roots, *_ = quartic_multipliers(here, last)
+        roots, *_ = quartic_multipliers(here[:3], last)
         last = -excess * last
-        (c1, c2, c3), (d1, d2, d3) = here, rates
+        (c1, c2, c3), (d1, d2, d3) = here[:3], rates[:3]
     else:
         roots, last = self_inversive_multipliers(here), np.zeros(1)
         (c1, c2, c3), (d1, d2, d3) = (
@@ -130,7 +130,7 @@ def multiplier_collisions(interpolant: ChartInterpolant, panel: int, loads: Arra
     not hide a tongue near them. Peaks of the growth on these columns are added.
     """
     plan, sampler = interpolant.panels[panel], interpolant.sampler
-    frequencies = sampler.basis.frequencies.real
+    frequencies = sampler.basis.frequencies[sampler.whirls].real
     fastest = float(frequencies.max() - frequencies.min())
     count = int(np.ceil(fastest * (plan.high - plan.low) / _RADIANS)) + 2
     span = np.linspace(plan.low, plan.high, count)
@@ -148,8 +148,8 @@ def multiplier_collisions(interpolant: ChartInterpolant, panel: int, loads: Arra
         turn = (rate[_FIRST[pair], row, column] + rate[_SECOND[pair], row, column]).imag / 2
         seen = _Seen(row, loads[row], span[column], middle, turn)
         found = _refined(interpolant, panel, width, seen, move[at], 2 * gap[at] * relative[at])
-        drift = sampler.drift.imag * span if interpolant.system.is_damped else 0.0
-        peaks = _growth_peaks(log.real.max(axis=0) - drift, span)
+        shift = sampler.mean_growth(here, span) if interpolant.system.is_damped else 0.0
+        peaks = _growth_peaks(log.real.max(axis=0) + shift, span)
     return Collisions._make(np.concatenate(parts) for parts in zip(found, peaks, strict=True))
 
 
