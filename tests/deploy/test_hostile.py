@@ -240,12 +240,12 @@ def test_a_map_that_moves_leaves_at_most_a_tenth_of_the_columns_for_rest(values)
     assert known[known.argmax() :].all()
     moving = analysis.solve(state, detail=Detail.COARSE).floquet
     assert "blank" not in verdict(moving)
-    assert "slowest loads follow" in verdict(moving)
+    assert "lowest frequencies are computed when the sliders rest" in verdict(moving)
 
 
 def test_a_marker_that_cannot_be_followed_is_refused_in_words():
     state = State()
     values = {"marker": True, "marker_frequency": 0.05, "diametral_inertia": 0.01}
     state.change(values | {"spin_speed": 4, "polar_inertia": 6})
-    with pytest.raises(ValueError, match=r"cycles in one period of this load, more than can"):
+    with pytest.raises(ValueError, match=r"cycles in one period of this load, more than the server"):
         inspect(state, analysis.solve(state, detail=Detail.COARSE))
