@@ -177,14 +177,17 @@ class Page:
                 # a zoom is the browser's: the chart keeps the ranges to which a reset returns
                 chart = replace(seen, x_range=frame.home.x, y_range=frame.home.y)
             if key in self.charts:
+                if frame is not None:
+                    # before the ranges move: BokehJS cuts them at the bounds that it has then
+                    self.charts[key].keep_within(frame.bounds)
                 self.charts[key].show(chart)
             else:
                 self.charts[key] = live = LiveChart(chart)
                 # before Panel copies the sizes of the figure
                 self.built(key, live)
                 self._places[key][:] = [pn.pane.Bokeh(live.figure, sizing_mode="stretch_both")]
-            if frame is not None:
-                self.charts[key].keep_within(frame.bounds)
+                if frame is not None:
+                    live.keep_within(frame.bounds)
             self.charts[key].set_visible(self.visible(state))
 
     def built(self, key: str, chart: LiveChart) -> None:
