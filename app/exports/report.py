@@ -27,7 +27,7 @@ td { border-bottom: 0.2mm solid #d5dce4; padding: 0.25mm 2mm 0.25mm 0; }
 .three { display: grid; grid-template-columns: 1fr 1fr 1.1fr; gap: 0 6mm; align-items: start; }
 .across { grid-column: span 2; }
 svg { display: block; width: 100%; height: auto; margin: auto; }
-.wide svg { max-height: 68mm; } .two svg { max-height: 52mm; }
+.wide svg { max-height: 62mm; } .two svg { max-height: 47mm; }
 footer { color: #4e5a69; font-size: 7.5pt; line-height: 1.2; margin-top: 2mm;
   overflow-wrap: anywhere; }
 a { color: inherit; }
