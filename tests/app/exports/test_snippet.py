@@ -135,11 +135,14 @@ def test_a_program_computes_the_arrays_of_the_charts(ran):
         same(y, bolotin.pulsating_load * factor)
     (image,) = chart.layer("growth").columns["image"]
     stability = names["stability"]
-    # the chart's grid is finer: it leaves out slower loads, and pixels in doubt may be others
+    # the chart's grid is finer: it leaves out slower loads, and pixels in doubt may be others;
+    # with finite elements it follows the slowest whirls, and the program all of them
     shown = chart.layer("growth").columns["verdict"][0] != 4
     both = np.isfinite(image) & stability.unstable
     sure = shown & (stability.error <= 1e-5)
-    assert (np.isfinite(image) != stability.unstable)[sure].mean() < 0.005
+    assert (np.isfinite(image) != stability.unstable)[sure].mean() < (
+        0.005 if state.model == "lumped" else 0.01
+    )
     np.testing.assert_allclose(image[both], stability.growth[both] * rate, rtol=1e-3, atol=1e-5)
     labels = chart.layer("tongue").columns
     centres = [one.centre * ratio for one in names["tongues"]]
