@@ -97,6 +97,8 @@ def page(kept_page, dashboard):
     """The dashboard at 1280 px with every input at its default."""
     page, watch = kept_page
     page.set_viewport_size({"width": 1280, "height": 900})
+    # a test that failed may have left another medium
+    page.emulate_media(media="screen", forced_colors="none", reduced_motion="reduce")
     reset(page)
     yield page
     watch.check(dashboard)
