@@ -324,7 +324,7 @@ def test_forced_colours_keep_swatches_and_the_selection(page):
           const other = controls.shadow_el.querySelector(".choice input:not(:checked) + span");
           const ground = (one) => getComputedStyle(one).backgroundColor;
           return {
-            swatches: [...document.querySelectorAll(".layers .swatch")]
+            swatches: [...document.querySelectorAll('[data-page="explore"] .layers .swatch')]
               .map((one) => getComputedStyle(one).backgroundImage),
             chosen: ground(chosen), other: ground(other),
           };
