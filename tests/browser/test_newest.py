@@ -6,14 +6,13 @@ From Panel 1.10 on `panel serve app` works for several pages at the same time, i
 import json
 import sys
 from pathlib import Path
-from urllib.parse import parse_qs, urlsplit
 
 import pytest
 
 from app.state import State
 from benchmarks.classroom.client import User
 from tests.testing.dashboard import open_dashboard
-from tests.testing.page import agrees, settle
+from tests.testing.page import agrees, settle, wait_for_address
 from tests.testing.serving import Server, run
 
 pytestmark = [pytest.mark.browser, pytest.mark.long]
@@ -73,7 +72,7 @@ def test_a_step_of_a_slider_is_drawn_in_full_opens_again_and_is_taken_away(tabs)
     page.locator("#rs-spin_speed").press("ArrowRight")
     page.wait_for_function("rotorstab.last.values.spin_speed > 2")
     values = agrees(page)
-    assert float(parse_qs(urlsplit(page.url).query)["spin"][0]) == values["spin_speed"]
+    wait_for_address(page, f"spin={values['spin_speed']:g}&")
     other.goto(page.url)
     other.wait_for_function("window.rotorstab?.last?.values && Bokeh.documents[0]?.is_idle")
     assert agrees(other) == values

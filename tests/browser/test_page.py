@@ -19,6 +19,7 @@ from tests.testing.page import (
     settle,
     shown,
     visit,
+    wait_for_address,
 )
 
 pytestmark = pytest.mark.browser
@@ -89,7 +90,7 @@ def test_the_address_carries_the_state_to_another_page_and_the_two_go_their_own_
     box_of(one, "spin_speed").fill("1.5")
     box_of(one, "spin_speed").press("Enter")
     settle(one, "spin_speed", 1.5)
-    one.wait_for_function("location.search.includes('spin=1.5')")
+    wait_for_address(one, "spin=1.5&")
     address = urlsplit(one.url)
     assert parse_qs(address.query)
     other = open_page(path=f"{address.path}?{address.query}")

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.testing.dashboard import open_dashboard, reset
-from tests.testing.page import box_of, drag, open_groups, settle, wait_for_value
+from tests.testing.page import box_of, drag, open_groups, settle, wait_for_address, wait_for_value
 
 pytestmark = pytest.mark.browser
 
@@ -43,7 +43,7 @@ def test_undo_and_redo_step_through_the_settings(open_page):
     undo.click()
     settle(page, "disk_mass", 5.0)
     assert page.evaluate("rotorstab.last.values.spin_speed") == 1.5
-    assert "md=5&" in page.url
+    wait_for_address(page, "md=5&")
     undo.click()
     settle(page, "spin_speed", 2.0)
     assert undo.is_disabled()

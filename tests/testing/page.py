@@ -91,6 +91,11 @@ def wait_for_value(page, name, value):
     )
 
 
+def wait_for_address(page, part):
+    """Wait until the address holds a part: it is written some time after the answer."""
+    page.wait_for_function("(part) => location.search.includes(part)", arg=part)
+
+
 def shown(page):
     """Return the columns and axes that Bokeh holds in the browser, for each chart."""
     return json.loads(page.evaluate(SHOWN))

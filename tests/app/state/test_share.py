@@ -246,9 +246,9 @@ def test_each_pin_of_an_address_is_solved_in_a_turn_of_its_own(monkeypatch):
 
 
 def test_a_session_names_a_pin_without_an_answer_and_keeps_the_rest(monkeypatch, caplog):
-    import app.pages.explore as explore
+    import app.pages.pin_list as pin_list
 
-    real = explore.solve_pin
+    real = pin_list.solve_pin
 
     def some(one):
         if one.number == 1:
@@ -257,7 +257,7 @@ def test_a_session_names_a_pin_without_an_answer_and_keeps_the_rest(monkeypatch,
             raise RuntimeError("a detail of the inside")
         return real(one)
 
-    monkeypatch.setattr(explore, "solve_pin", some)
+    monkeypatch.setattr(pin_list, "solve_pin", some)
     query = "phi=0.03&p1=spin_1~~a&p2=spin_1~~b&p3=spin_1~~c&spin=99"
     answer = Session(arguments(query)).respond({"type": "hello"})
     assert [one["name"] for one in answer["pins"]["names"]] == ["c"]
