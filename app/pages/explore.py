@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import logging
-from base64 import b64encode
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -16,7 +14,6 @@ from rotorstab.charts import Chart, chart_factors, fitted_top, with_top
 from ..live.chart import LiveChart
 from ..live.low import make_low
 from ..live.small import make_small
-from ..reading.user_error import UserError
 from ..results.analysis import CHARTS, Result, home_view, solve, window_of
 from ..results.curves import load_cases
 from ..results.growth_maps import known_detail
@@ -25,21 +22,21 @@ from ..results.operation import operation_of
 from ..results.views import Frame, View, view_of
 from ..results.whirl_charts import WHIRL_CHARTS, whirl_bounds, whirl_chart
 from ..results.window import Window
-from ..state import SYMBOLS, State
-from ..state.address import MOST_PINS, PinnedInputs
-from ..state.rotor_file import read_rotor_file, write_rotor_file
+from ..state import State
+from ..state.address import PinnedInputs
 from ..words.details import details
 from ..words.refusals import user_message
 from ..words.si import displayed, shaft_words, shown_scales, si_answer
 from ..words.verdict import verdict
 from .base import FRAGMENTS, Page, Reply, Stage
 from .marked_point import INSPECTOR_CHARTS, Inspection, inspect, with_marks
+from .pin_list import PinList
 from .pinned_charts import PinnedCharts
-from .pins import Pin, differences, pin, side_by_side, solve_pin
+from .pins import Pin, differences, side_by_side
+from .rotor_messages import open_rotor_file, save_rotor_file, use_shaft
 
 __all__ = ["Explore"]
 
-_LOG = logging.getLogger("rotorstab.app")
 COMPARISON = "comparison"
 """The key of a pin's instability chart beside the present one."""
 BOUNDS = View(
@@ -61,9 +58,8 @@ class Explore(Page):
 
     def __init__(self) -> None:
         super().__init__()
-        self.pins: list[Pin] = []
+        self._pins = PinList()
         self._pinned = PinnedCharts()
-        self._unsolved_pins: list[PinnedInputs] = []  # of the address
         # the last inspection, and what it was made of
         self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
         self.views: Mapping[str, View] = {}  # the part that a zoom shows, by the key of the chart
@@ -101,6 +97,11 @@ class Explore(Page):
             if isinstance(inspection, Inspection):
                 charts = charts | inspection.charts
         return charts
+
+    @property
+    def pins(self) -> Sequence[Pin]:
+        """The pins whose curves are drawn."""
+        return self._pins.solved
 
     def _compared(self, state: State) -> Pin | None:
         """Return the pin whose chart stands beside the present one."""
@@ -227,9 +228,9 @@ class Explore(Page):
         """Pin curves, remove a pin, zoom, fit the colours, or read or write the rotor."""
         kind = message.get("type")
         if kind == "pin":
-            return self._pin(message.get("label"), state)
+            return self._pins.pin(message.get("label"), state)
         if kind == "unpin":
-            self.pins = [pin for pin in self.pins if pin.number != message.get("number")]
+            self._pins.remove(message.get("number"))
             if self._compared(state) is None:
                 state.change({"compared": "none"})
         elif kind == "window":
@@ -237,11 +238,11 @@ class Explore(Page):
         elif kind == "colours":
             self._fit_colours(message.get("fit") is True, state)
         elif kind == "use_shaft":
-            return _use_shaft(state)
+            return use_shaft(state)
         elif kind == "rotor_file":
-            return _open_rotor_file(message.get("text"), state)
+            return open_rotor_file(message.get("text"), state)
         elif kind == "save_rotor_file":
-            return _save_rotor_file(state)
+            return save_rotor_file(state)
         return Reply()
 
     def _see(self, message: Mapping[str, Any], state: State) -> None:
@@ -265,40 +266,17 @@ class Explore(Page):
             growth = np.where(bands.columns["edge"][0] > 0, bands.columns["growth"][0], 0.0)
             self.fitted = {state.growth_unit: fitted_top(growth)}
 
-    def _pin(self, name: object, state: State) -> Reply:
-        try:
-            made = pin(state, name, self.pin_inputs())
-        except ValueError as error:
-            return Reply({"told": user_message(error)})
-        if made is None:
-            return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
-        self._add(made)
-        return Reply({"told": f"{made.name} was added"})
-
-    def _add(self, made: Pin) -> None:
-        self.pins = sorted([*self.pins, made], key=lambda pin: pin.number)
-
     def pin_inputs(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
-        return sorted([*self.pins, *self._unsolved_pins], key=lambda pin: pin.number)
+        return self._pins.inputs()
 
     def set_address_pins(self, pins: Sequence[PinnedInputs]) -> None:
         """Note the pins of an address, which `restore_next_pin` solves one by one."""
-        self._unsolved_pins = list(pins)
+        self._pins.unsolved = list(pins)
 
     def restore_next_pin(self) -> str | None:
         """Solve one pin of the address; return None if no pin was waiting."""
-        if not self._unsolved_pins:
-            return None
-        unsolved = self._unsolved_pins.pop(0)
-        try:
-            self._add(solve_pin(unsolved))
-        except ValueError as error:
-            return f"p{unsolved.number} ({user_message(error)})"
-        except Exception:
-            _LOG.exception("a pin of the address failed: %r", unsolved.inputs)
-            return f"p{unsolved.number} (it could not be computed)"
-        return ""
+        return self._pins.solve_next()
 
     def sidebar_answer(self, state: State) -> dict[str, Any]:
         """Return what the shaft in SI gives, for the sidebar, which is beside every page."""
@@ -342,30 +320,3 @@ class Explore(Page):
             "facts": found.facts,
             "motion": found.motion,
         }
-
-
-def _use_shaft(state: State) -> Reply:
-    """Set the non-dimensional inputs from the shaft in SI."""
-    errors = state.use_shaft()
-    problem = "; ".join(f"{SYMBOLS.get(name, name)} {reason}" for name, reason in errors.items())
-    return Reply({"shaft_error": problem})
-
-
-def _save_rotor_file(state: State) -> Reply:
-    data = b64encode(write_rotor_file(state).encode()).decode()
-    name = "rotor.toml"
-    file = {"name": name, "mime": "application/toml", "base64": data}
-    return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
-
-
-def _open_rotor_file(text: object, state: State) -> Reply:
-    """Set the inputs from a rotor file; a bad file leaves every input as it was."""
-    try:
-        values, left_out = read_rotor_file(text if isinstance(text, str) else "")
-    except UserError as error:
-        return Reply({"shaft_error": str(error), "told": "the rotor file was refused"})
-    state.change(values)
-    if left_out:
-        notice = f"The rotor was taken, but not {'; '.join(left_out)}."
-        return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
-    return Reply({"shaft_error": "", "told": "the rotor file is open"})

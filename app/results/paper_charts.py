@@ -24,10 +24,8 @@ PANEL_KEYS = tuple(f"figure-{letter}{kind}" for letter in _LETTERS for kind in (
 _COLUMNS = ("xs", "ys", "name", "role", "group")
 _LABELS = ("x", "y", "name", "side")
 _LETTER = 0.024  # of an axis: width of a letter in a narrow chart
-_FOOT, _LEVEL = (
-    0.015,
-    0.09,
-)  # of an axis: where the lowest names stand, and height of a line of them
+_FOOT = 0.015  # of an axis: where the lowest names stand
+_LEVEL = 0.09  # of an axis: height of a line of names
 _ROOM = 0.04  # of an axis: room for the name of a boundary at its right end
 
 
