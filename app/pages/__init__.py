@@ -1,7 +1,7 @@
 """Which pages does the dashboard have? `PAGES` lists them in the order of the navigation.
 
-Read `base`, then `explore` with `marked_point`, `animation`, `pins`, `pin_list`, `pinned_charts` and
-`rotor_messages`; `stiffness`, `paper` and `lessons` stand alone.
+Read `base`, then `explore` with `marked_point`, `animation`, `pins`, `pin_list`, `pinned_charts`
+and `rotor_messages`; `stiffness`, `paper` and `lessons` stand alone.
 """
 
 from .base import Page
