@@ -16,6 +16,7 @@ from .maps.margin import CriticalPulsation, StabilityMargin, critical_pulsation,
 from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
 from .model.lumped import lumped
+from .model.periodic_load import FittedLoad, PeriodicLoad
 from .model.shaft_shape import ShaftShape, shaft_shape
 from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, linear_stiffness
 from .model.stiffness_law import STIFFNESS_LAWS, StiffnessLaw
@@ -38,10 +39,12 @@ __all__ = [
     "CriticalPulsation",
     "CriticalSpeeds",
     "FirstOrderRegion",
+    "FittedLoad",
     "FloquetSolution",
     "Material",
     "Outline",
     "PastPole",
+    "PeriodicLoad",
     "Resonance",
     "ResonanceTable",
     "Scales",

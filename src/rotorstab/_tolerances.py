@@ -35,6 +35,13 @@ root of 1e-16, that is 1e-8, and up to 1e-7 in ill-conditioned cases.
 DOUBLE_ROOT = 1e-15
 """A discriminant that is below zero by less than this part of its terms counts as zero."""
 
+STRAIGHT_ORBIT = 1e-6
+"""Part of a whirl's kinetic energy by which its forward and backward parts must differ.
+
+If they differ by less, the rotor vibrates along straight lines. The modes of a rotor at rest are
+such; their eigenvectors are real to about 1e-8 of their size.
+"""
+
 COALESCED = 1e-6
 """Part |Im ω|/|Re ω| above which two whirl frequencies have coalesced (flutter).
 

@@ -163,22 +163,6 @@ def test_a_system_may_be_made_from_lists_and_from_views():
     assert viewed.mass[0, 0] == 1.0
 
 
-@pytest.mark.parametrize("size", [1, 2])
-def test_a_rotor_that_no_load_makes_stable_is_refused_with_words(size):
-    nothing = np.zeros((size, size))
-    system = rs.System(
-        mass=np.eye(size),
-        gyroscopic=nothing,
-        external_damping=nothing,
-        internal_damping=nothing,
-        elastic=np.diag([-1.0, 2.0][:size]),
-        geometric=-np.eye(size),
-        spin_speed=np.array(0.0),
-    )
-    with pytest.raises(ValueError, match="`system` must be stable without load and damping"):
-        rs.growth_rate(system, 0.0, 0.1, 2.0)
-
-
 def test_other_coordinates_change_no_frequency_and_fewer_raise_them():
     system = rs.finite_element(BASE, 2.0, 0.0, elements=3, external_damping=0.02)
     basis = np.random.default_rng(4).normal(size=(6, 6))

@@ -29,7 +29,7 @@ def reference_growth(system, static, pulsating, theta, tolerance=1e-12):
     size, period = 2 * system.size, 2 * np.pi / theta
 
     def rate(t, z):
-        load = static + pulsating * np.cos(theta * t)
+        load = static + pulsating * system.pulsation.at(theta * t)
         return (1j * state_matrix(system, system.stiffness(load)) @ z.reshape(size, size)).ravel()
 
     start = np.eye(size, dtype=complex).ravel()

@@ -78,10 +78,8 @@ def boundary_squares(system: System, static_load: Array, pulsating_load: Array) 
     if not system.is_damped:
         # b → jb keeps an undamped system real
         return _eigenvalue_squares(system, mean - shift, mean + shift, system.spin_matrix())
-    rotating = 1j * system.spin_speed[..., None, None] * system.internal_damping
-    return _eigenvalue_squares(
-        system, mean - shift - rotating, mean + shift - rotating, 1j * system.damping()
-    )
+    mean = mean + system.cross_part()
+    return _eigenvalue_squares(system, mean - shift, mean + shift, 1j * system.damping())
 
 
 def real_squares(squares: Complex) -> Array:
@@ -113,7 +111,9 @@ def mean_and_half_swing(
 ) -> tuple[Array, Array, Array]:
     """Return K₀, B and y with K∓ = K₀ ∓ yB."""
     if system.is_linear:
-        return system.load_stiffness(static_load), system.geometric, pulsating_load / 2
+        # of any load only the first harmonic enters; a shift of time makes it a cosine
+        half = pulsating_load * (abs(system.pulsation.amplitudes[0]) / 2)
+        return system.load_stiffness(static_load), system.geometric, half
     mean, first = system.load_harmonics(static_load, pulsating_load)
     return mean, first, np.array(0.5)
 

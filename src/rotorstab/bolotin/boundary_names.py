@@ -10,7 +10,7 @@ from .._types import Array, Complex, Mask
 from ..model.system import System
 from ..whirl.campbell import load_frequency_curves
 from ..whirl.frequencies import frequencies_by_eigenvalues
-from ..whirl.mode_names import mode_names
+from ..whirl.mode_names import mode_names, names_of
 from .boundaries import has_paper_form
 
 __all__ = ["boundary_names"]
@@ -35,6 +35,8 @@ def boundary_names(system: System, static: Array, squares: Complex) -> tuple[str
     tuple of str
     """
     first = squares[0]
+    if system.planes:
+        return _names_of_planes(system, float(static), squares)
     spinning = bool(system.spin_matrix().any())
     if spinning and has_paper_form(system) and not first.imag.any() and first.real[0] > 0:
         return _names_by_direction(_is_forward(system, static, first.real))
@@ -51,6 +53,17 @@ def boundary_names(system: System, static: Array, squares: Complex) -> tuple[str
     # the second row, where columns that start together have parted
     columns = np.argsort(squares[1].real, kind="stable").tolist()
     named = {column: name for column, (_, name) in zip(columns, labels, strict=True)}
+    return tuple(named[column] for column in range(len(named)))
+
+
+def _names_of_planes(system: System, static: float, squares: Complex) -> tuple[str, ...]:
+    """Return the names of boundaries of two planes: each motion has two."""
+    roots = frequencies_by_eigenvalues(system, np.asarray(static))
+    names = names_of(system, static, roots)
+    upper = range(system.size, 2 * system.size)
+    starts = sorted(((roots[i] ** 2).real, names[i]) for i in upper for _ in range(2))
+    columns = np.argsort(squares[1].real, kind="stable").tolist()
+    named = {column: name for column, (_, name) in zip(columns, starts, strict=True)}
     return tuple(named[column] for column in range(len(named)))
 
 

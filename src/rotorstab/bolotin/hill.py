@@ -102,8 +102,7 @@ def _hill_matrices(
     n, count = system.size, len(orders)
     size = count * n
     load_harmonics = system.load_harmonics(static, pulsating, count)
-    rotating = system.stiffness(static) - system.load_stiffness(static)
-    blocks = [load_harmonics[0] + rotating, *(k / 2 for k in load_harmonics[1:])]
+    blocks = [load_harmonics[0] + system.cross_part(), *(k / 2 for k in load_harmonics[1:])]
     stiffness = np.zeros((*np.shape(static), count, n, count, n), dtype=np.result_type(*blocks))
     for i in range(count):
         for k in range(count):

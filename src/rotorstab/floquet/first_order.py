@@ -63,8 +63,9 @@ def first_order_regions(
 
     With a_i the slowly varying amplitudes of the modes, averaged over a period of the load,
     ȧ = j[diag(ω_i − m_i θ̄) + (p̄_t/2) C] a, where whole numbers m_i differ by 1 between the modes
-    of a pair and C_ij C_ji = −g_ij. The rotor is unstable where an eigenvalue of the bracket has
-    an imaginary part below 0.
+    of a pair and C_ij C_ji = −g_ij; harmonic k of another load makes them differ by k, with
+    C_ij C_ji = −|a_k|² g_ij. The rotor is unstable where an eigenvalue of the bracket has an
+    imaginary part below 0.
 
     Parameters
     ----------
@@ -153,16 +154,17 @@ class _Averaged:
         Along a ring of pairs the products g do not determine the couplings C.
         """
         low, high = window
-        place = {name: index for index, name in enumerate(table.modes)}
-        pairs = [row for row in table if row.coupling != 0 and low <= row.centre <= high]
-        harmonics = _harmonics(pairs, table, place)
+        rows = [row for row in table if row.coupling != 0 and low <= row.centre <= high]
+        pairs = [pair for row in rows for pair in _coupled_modes(row, table)]
+        harmonics = _harmonics(pairs)
         if harmonics is None:
             return None
         used = sorted(harmonics)
         coupling = np.zeros((len(used), len(used)), np.complex128)
-        for row in pairs:
-            i, j = used.index(place[row.first]), used.index(place[row.second])
-            coupling[i, j] = coupling[j, i] = load / 2 * np.sqrt(-row.coupling)
+        for first, second, row in pairs:
+            i, j = used.index(first), used.index(second)
+            size = load / 2 * row.amplitude * np.sqrt(-row.coupling)
+            coupling[i, j] = coupling[j, i] = size
         frequencies = np.asarray(table.frequencies, np.complex128)[used]
         return cls(frequencies, np.array([harmonics[index] for index in used]), coupling)
 
@@ -174,28 +176,33 @@ class _Averaged:
         return np.asarray(np.linalg.eigvals(matrices).imag.min(axis=-1) < -smallest)
 
 
-def _harmonics(
-    pairs: list[Resonance], table: ResonanceTable, place: dict[str, int]
-) -> dict[int, int] | None:
+_Pair = tuple[int, int, Resonance]
+
+
+def _coupled_modes(row: Resonance, table: ResonanceTable) -> list[_Pair]:
+    """Return which modes a row couples, the slower first; with two planes also their mirror."""
+    low, high = sorted(row.modes, key=lambda mode: table.frequencies[mode].real)
+    last = len(table.frequencies) - 1
+    if not table.planes or (low, high) == (last - high, last - low):
+        return [(low, high, row)]
+    return [(low, high, row), (last - high, last - low, row)]
+
+
+def _harmonics(pairs: list[_Pair]) -> dict[int, int] | None:
     """Return m of each mode that the pairs couple; None where they close a ring."""
     harmonics: dict[int, int] = {}
     left = list(pairs)
     while left:
         # a pair that has a mode in common with those before, if there is one
-        row = next(
-            (pair for pair in left if {place[pair.first], place[pair.second]} & set(harmonics)),
-            left[0],
-        )
-        left.remove(row)
-        low, high = sorted(
-            (place[row.first], place[row.second]), key=lambda i: table.frequencies[i].real
-        )
+        pair = next((pair for pair in left if set(pair[:2]) & set(harmonics)), left[0])
+        left.remove(pair)
+        low, high, row = pair
         if low in harmonics and high in harmonics:
             return None
         if high in harmonics:
-            harmonics[low] = harmonics[high] - 1
+            harmonics[low] = harmonics[high] - row.harmonic
         else:
-            harmonics[high] = harmonics.setdefault(low, 0) + 1
+            harmonics[high] = harmonics.setdefault(low, 0) + row.harmonic
     return harmonics
 
 

@@ -39,11 +39,12 @@ def fastest_rate(system: System, basis: ModalBasis, loads: Loads) -> Array:
     """Return a rate (...) [√(EI/(ρAL⁴))] that bounds how fast the state turns, for step sizes.
 
     The stiffness under the largest load exceeds that at the reference load of the basis by at most
-    ‖M⁻¹Kb‖ (|p̄₀ − p̄_ref| + |p̄_t|), which adds to ω².
+    ‖M⁻¹Kb‖ (|p̄₀ − p̄_ref| + |p̄_t| max |f|) and the shift, which add to ω².
     """
     drive = np.linalg.norm(np.linalg.solve(system.mass, system.geometric), 2)
-    swing = np.abs(loads[0] - basis.load) + np.abs(loads[1])
-    return np.asarray(np.sqrt(np.abs(basis.frequencies).max(axis=-1) ** 2 + drive * swing))
+    swing = np.abs(loads[0] - basis.load) + np.abs(loads[1]) * system.pulsation.largest
+    squares = np.abs(basis.frequencies).max(axis=-1) ** 2
+    return np.asarray(np.sqrt(squares + drive * swing + basis.shift))
 
 
 def fine_and_coarse(propagator: Callable[[int], Complex], factor: int) -> tuple[AnyArray, AnyArray]:

@@ -58,7 +58,7 @@ def _load_modes(system: System) -> tuple[AnyArray, AnyArray, AnyArray] | None:
 def linear_kicks(
     system: System, basis: ModalBasis, loads: Loads, step: Array, gradient: float
 ) -> Kicks:
-    """Return the kicks for K linear in the load, ΔK = (p̄ − p̄_ref) Kb.
+    """Return the kicks for K linear in the load, ΔK = (p̄ − p̄_ref) Kb − sM, s the basis' shift.
 
     ΔK and ΔK M⁻¹ ΔK are polynomials of one constant operator, A = M⁻¹Kb. In the basis of its
     eigenvectors a kick therefore is one number for each of them.
@@ -68,18 +68,24 @@ def linear_kicks(
     load_modes = _load_modes(system)
     if load_modes is None:
         operator = np.linalg.solve(system.mass, system.geometric)
-        right = np.concatenate([operator @ right, operator @ operator @ right], axis=-2)
-        left = np.concatenate([left, left], axis=-1)
+        powers = [operator @ right, operator @ operator @ right, right]
+        right = np.concatenate(powers, axis=-2)
+        left = np.concatenate([left, left, left], axis=-1)
     else:
         right, left = load_modes[2] @ right, left @ load_modes[1]
 
     def factors(phase: Array) -> Complex:
-        impulse = step * (loads[0] - basis.load + loads[1] * np.cos(phase))
-        square = gradient * step * impulse * impulse
+        impulse = step * (loads[0] - basis.load + loads[1] * system.pulsation.at(phase))
+        back = step * basis.shift
+        weight = gradient * step
         if load_modes is None:
-            return np.repeat(1j * np.stack([impulse, square], axis=1), n, axis=1)
+            linear = impulse - 2 * weight * back * impulse
+            constant = np.broadcast_to(weight * back * back - back, impulse.shape)
+            parts = [linear, weight * impulse * impulse, constant]
+            return np.repeat(1j * np.stack(parts, axis=1), n, axis=1)
         values = load_modes[0].reshape(n, *[1] * (impulse.ndim - 1))
-        return np.asarray(1j * (values * impulse[:, None] + values**2 * square[:, None]))
+        kick = values * impulse[:, None] - back
+        return np.asarray(1j * (kick + weight * kick * kick))
 
     return Kicks(left, right, factors)
 

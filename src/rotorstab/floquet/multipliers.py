@@ -63,7 +63,7 @@ class Points:
         if system.spin_speed.ndim:
             system = replace(system, spin_speed=system.spin_speed[index])
         if basis.frequencies.ndim > 1:
-            arrays = basis.load, basis.frequencies, basis.vectors, basis.inverse
+            arrays = basis.load, basis.frequencies, basis.vectors, basis.inverse, basis.shift
             basis = ModalBasis(*(array[index] for array in arrays))
         static, pulsating, period = self.static[index], self.pulsating[index], self.period[index]
         return Points(system, static, pulsating, period, self.share, basis)
@@ -161,6 +161,7 @@ def solved_points(points: Points, most_steps: int) -> Results:
     """
     size = 2 * points.system.size
     rate = fastest_rate(points.system, points.basis, (points.static, points.pulsating))
+    rate = np.maximum(rate, 2 * np.pi * points.system.pulsation.highest / points.period)
     radians = points.period * rate * points.share
     results = Results.unknown(len(points), size)
     for batch in _batches(radians, size):

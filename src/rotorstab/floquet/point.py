@@ -112,7 +112,7 @@ def floquet_solution(
             np.empty((*shape, 2 * system.size), complex), empty, empty, empty.astype(bool)
         )
     period = 2 * np.pi / frequency.ravel()
-    share = 1.0 if system.is_damped else 0.5
+    share = 0.5 if system.is_reversible else 1.0
     most = whole_number("most_steps", most_steps, 1)
     points = Points.of(system, static.ravel(), pulsating.ravel(), period, share)
     found = solved_points(points, most)

@@ -32,7 +32,7 @@ class Resonance:
     first, second : str
         Names of the two modes; backward before forward, then by number.
     centre : float
-        θ̄ = |ω_i − ω_j| [√(EI/(ρAL⁴))], the first-order centre of the tongue.
+        θ̄ = |ω_i − ω_j|/k [√(EI/(ρAL⁴))], the first-order centre of the tongue; k is `harmonic`.
     coupling : complex
         g = B'_ij B'_ji, see `resonances`; real without damping. The modes make a tongue if g > 0.
     growth_per_load : float
@@ -51,9 +51,18 @@ class Resonance:
         Always False where the mean system is unstable by itself.
     kind : str
         "principal" (backward and forward whirl of one number), "sum" (two numbers, opposite
-        precession) or "difference" (same precession).
+        precession) or "difference" (same precession). With two planes: "principal" is twice one
+        frequency, "sum" and "difference" are those of two.
     precession : str
         "same" or "opposite".
+    modes : (int, int)
+        Which of the table's frequencies the two are.
+    harmonic : int
+        k, number of the load's harmonic that couples them.
+    amplitude : float
+        |a_k| of that harmonic.
+    sign : str
+        Stands between the names: "−" for a difference of two planes, else "+".
     """
 
     first: str
@@ -67,11 +76,16 @@ class Resonance:
     unstable: bool
     kind: str
     precession: str
+    modes: tuple[int, int]
+    harmonic: int = 1
+    amplitude: float = 1.0
+    sign: str = "+"
 
     @property
     def name(self) -> str:
-        """The pair as one label, such as 1B+1F."""
-        return f"{self.first}+{self.second}"
+        """The pair as one label, such as 1B+1F; (1B+1F)/2 by the second harmonic of the load."""
+        pair = f"{self.first}{self.sign}{self.second}"
+        return pair if self.harmonic == 1 else f"({pair})/{self.harmonic}"
 
 
 @dataclass(frozen=True)
@@ -81,19 +95,23 @@ class ResonanceTable:
     Parameters
     ----------
     rows : tuple of Resonance
-        All n(2n − 1) pairs of the 2n modes.
+        All n(2n − 1) pairs of the 2n modes, once for each harmonic of the load. Of a system of two
+        planes a pair and its mirror image, −ω for ω, are one row.
     frequencies : (2n,) float or complex
         Whirl frequencies of the mean system, sorted by real part.
     modes : tuple of str
         Their names.
     mean_growth : float
         Growth rate of the mean system, that is without pulsation: max(−Im ω).
+    planes : bool
+        Whether the system is one of two planes.
     """
 
     rows: tuple[Resonance, ...]
     frequencies: AnyArray
     modes: tuple[str, ...]
     mean_growth: float
+    planes: bool = False
 
     def __iter__(self) -> Iterator[Resonance]:
         """Iterate over the rows."""
@@ -148,12 +166,28 @@ class ResonanceTable:
         return self[name], order
 
 
-def _classify(first: str, second: str) -> tuple[str, str, str, str]:
-    """Return the names of two modes in display order, the kind of pair and the precession."""
-    first, second = sorted((first, second), key=lambda name: (name[-1], int(name[:-1])))
-    if first[-1] == second[-1]:
-        return first, second, "difference", "same"
-    return first, second, "principal" if first[:-1] == second[:-1] else "sum", "opposite"
+def _classify(first: str, second: str, planes: bool) -> tuple[str, str, str, str, str]:
+    """Return two names in display order, their sign, the kind of pair and the precession."""
+    is_sum = first.startswith("−") != second.startswith("−")
+    first, second = sorted(
+        (name.removeprefix("−") for name in (first, second)),
+        key=lambda name: (name[-1], int(name[:-1])),
+    )
+    precession = "same" if first[-1] == second[-1] else "opposite"
+    if planes and not is_sum:
+        return first, second, "−", "difference", precession
+    if planes:
+        return first, second, "+", "principal" if first == second else "sum", precession
+    if precession == "same":
+        return first, second, "+", "difference", "same"
+    return first, second, "+", "principal" if first[:-1] == second[:-1] else "sum", "opposite"
+
+
+def _pairs(count: int, planes: bool) -> Iterator[tuple[int, int]]:
+    """Yield the pairs of modes; of a pair of two planes and its mirror image the first one."""
+    for i, j in combinations(range(count), 2):
+        if not planes or (i, j) <= (count - 1 - j, count - 1 - i):
+            yield i, j
 
 
 def resonances(system: System, static_load: float, pulsating_load: float) -> ResonanceTable:
@@ -161,6 +195,8 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
 
     A pulsation p̄_t cos θ̄t couples modes i and j at θ̄ = |ω_i − ω_j| with g = B'_ij B'_ji, B' the
     load's part of the system in the modal basis. g > 0: growth (p̄_t/2)√g, half-width p̄_t√g.
+    Another periodic load does so with each of its harmonics, at |ω_i − ω_j|/k, with p̄_t|a_k| for
+    p̄_t and a k-th of the width.
 
     Parameters
     ----------
@@ -209,44 +245,63 @@ def resonances(system: System, static_load: float, pulsating_load: float) -> Res
     decay = np.imag(frequencies) if np.iscomplexobj(frequencies) else np.zeros(2 * system.size)
     names = names_of(system, static, frequencies)
     frequencies.flags.writeable = False
-    table = ResonanceTable((), frequencies, names, float(-decay.min()))
-    stable_mean = not table.mean_is_unstable
-    rows = []
-    for i, j in combinations(range(2 * system.size), 2):
-        first, second, kind, precession = _classify(names[i], names[j])
-        g = complex(coupling[i, j])
-        growth_per_load, growth, width, threshold = averaged_tongue(
-            g, (float(decay[i]), float(decay[j])), load
-        )
-        above = threshold == 0 or load > threshold
-        rows.append(
-            Resonance(
-                first=first,
-                second=second,
-                centre=float(abs((frequencies[i] - frequencies[j]).real)),
-                coupling=g,
-                growth_per_load=growth_per_load,
-                growth=growth,
-                half_width=width,
-                threshold=threshold,
-                unstable=above and growth_per_load > 0 and stable_mean,
-                kind=kind,
-                precession=precession,
-            )
-        )
+    growth = float(-decay.min())
+    table = ResonanceTable((), frequencies, names, growth, system.planes)
+    shape = system.pulsation
+    rows = [
+        _row(table, pair, (complex(coupling[pair]), k, abs(shape.amplitudes[k - 1])), load)
+        for pair in _pairs(2 * system.size, system.planes)
+        for k in shape.harmonics
+    ]
     return replace(table, rows=tuple(sorted(rows, key=lambda row: row.centre)))
+
+
+def _row(
+    table: ResonanceTable, pair: tuple[int, int], drive: tuple[complex, int, float], load: float
+) -> Resonance:
+    """Return the row of one pair of modes; `drive` is its g, and k and |a_k| of the harmonic."""
+    g, harmonic, amplitude = drive
+    one, other = (complex(table.frequencies[mode]) for mode in pair)
+    names = table.modes[pair[0]], table.modes[pair[1]]
+    first, second, sign, kind, precession = _classify(*names, table.planes)
+    decay = (one.imag, other.imag)
+    growth_per_load, growth, width, threshold = averaged_tongue(g, decay, load * amplitude)
+    threshold /= amplitude
+    above = threshold == 0 or load > threshold
+    return Resonance(
+        first=first,
+        second=second,
+        centre=abs(one.real - other.real) / harmonic,
+        coupling=g,
+        growth_per_load=growth_per_load * amplitude,
+        growth=growth,
+        half_width=width / harmonic,
+        threshold=threshold,
+        unstable=above and growth_per_load > 0 and not table.mean_is_unstable,
+        kind=kind,
+        precession=precession,
+        modes=pair,
+        harmonic=harmonic,
+        amplitude=amplitude,
+        sign=sign,
+    )
 
 
 def _couplings(system: System, static: float, load: float) -> tuple[ModalBasis, Complex]:
     """Return the modal basis of the mean system and g of every pair of its modes, (2n, 2n)."""
     slope = load if load > 0 else _SLOPE_LOAD
-    mean, first = system.load_harmonics(static, load)[0], system.load_harmonics(static, slope)[1]
-    rotating = system.stiffness(static) - system.load_stiffness(static)
-    basis = modal_basis(system, static, mean + rotating)
+    if system.is_linear:
+        mean, first = system.load_stiffness(static), slope * system.geometric
+    else:
+        mean = system.load_harmonics(static, load)[0]
+        first = system.load_harmonics(static, slope)[1]
+    basis = modal_basis(system, static, mean + system.cross_part())
     n = system.size
     kick = basis.inverse[:, n:] @ np.linalg.solve(system.mass, first / slope) @ basis.vectors[:n]
     # in coordinates (q, q̇) the product changes sign
-    coupling = -np.asarray(kick * kick.T, dtype=np.complex128)
+    with np.errstate(over="ignore", invalid="ignore"):
+        # at a double root ω, as of a free rotor, the basis is singular: that pair makes no tongue
+        coupling = -np.nan_to_num(np.asarray(kick * kick.T, dtype=np.complex128), posinf=0.0)
     coupling[np.abs(coupling) <= NEGLIGIBLE * np.abs(coupling).max()] = 0
     if not system.is_damped and np.isrealobj(basis.frequencies):
         coupling = coupling.real.astype(np.complex128)

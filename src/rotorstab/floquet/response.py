@@ -202,7 +202,7 @@ def time_response(
     rate = math.log(radius)
     log_scale = max(0.0, length * rate - _LARGEST_LOG)
     motion = _motion(sampled, start, ends, length, radius, log_scale)
-    load = static + pulsating * np.cos(np.arange(samples) * (2 * np.pi / samples))
+    load = static + pulsating * system.pulsation.at(np.arange(samples) * (2 * np.pi / samples))
     response = TimeResponse(
         time=np.asarray(np.arange(length * samples + 1) * (period / samples), np.float64),
         displacement=motion[0],

@@ -43,7 +43,8 @@ def sampled_period(
     basis = splitting_basis(system, static)
     loads = np.array([static]), np.array([pulsating])
     span = np.array([period])
-    turned = float(fastest_rate(system, basis, loads)[0]) * period / samples
+    rate = float(fastest_rate(system, basis, loads)[0])
+    turned = max(rate * period, 2 * np.pi * system.pulsation.highest) / samples
     factor = int(turned / POINT_LEVELS[-1]) + 1
 
     def propagators(steps: int) -> Complex:

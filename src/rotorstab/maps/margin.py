@@ -84,7 +84,8 @@ def _plane(system: System, static_load: float, largest_load: float) -> tuple[Pla
     """Return the load–frequency plane and the largest load, from checked arguments."""
     static = number("static_load", static_load)
     largest = number("largest_load", largest_load, 0.0, open_low=True)
-    system.load_harmonics(static, largest)  # refuses a load past the pole of the stiffness
+    if system.law is not None:
+        system.law.refuse_peaks(np.asarray(static), np.asarray(largest))
     return Plane(system, static, resonances(system, static, 0.0)), largest
 
 

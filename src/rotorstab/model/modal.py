@@ -6,13 +6,15 @@ In these coordinates R is real without damping, its eigenvalues are the whirl fr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import eigvalsh
 
 from .._arguments import numbers
 from .._numerics.companion import companion_matrix
 from .._numerics.roots import is_real
+from .._tolerances import NEGLIGIBLE
 from .._types import AnyArray, Array, ArrayLike, Mask
 from .system import System
 
@@ -34,12 +36,16 @@ class ModalBasis:
         ω sorted by real part [√(EI/(ρAL⁴))]; a real array if the system is undamped and stable.
     vectors, inverse : (..., 2n, 2n) float or complex
         V, columns in the order of `frequencies`, and V⁻¹.
+    shift : (...) float
+        A number s: R has the stiffness K(p̄) + sM. It is 0 unless the rotor without load is free,
+        or pushed out of its rest position by a negative stiffness.
     """
 
     load: Array
     frequencies: AnyArray
     vectors: AnyArray
     inverse: AnyArray
+    shift: Array
 
 
 def state_matrix(system: System, stiffness: ArrayLike) -> AnyArray:
@@ -93,7 +99,8 @@ def modal_basis(system: System, load: ArrayLike, stiffness: ArrayLike | None = N
         inverse = np.linalg.inv(vectors)
     except np.linalg.LinAlgError:
         inverse = np.linalg.pinv(vectors)
-    return ModalBasis(np.broadcast_to(load, values.shape[:-1]), values, vectors, inverse)
+    load = np.broadcast_to(load, values.shape[:-1])
+    return ModalBasis(load, values, vectors, inverse, np.zeros_like(load))
 
 
 def _is_good(basis: ModalBasis, damped: bool) -> Mask:
@@ -110,9 +117,9 @@ def _is_good(basis: ModalBasis, damped: bool) -> Mask:
 def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
     """Return a well-conditioned modal basis at the mean load, or at a part of it.
 
-    An integrator that splits R(t) into R(p̄_ref) and a remainder may choose p̄_ref freely. Near
-    flutter or buckling of the mean system it takes a fraction of p̄₀. The fraction 0 always serves,
-    for there K is symmetric and positive definite.
+    An integrator that splits R(t) into a constant and a remainder may choose the constant freely.
+    Near flutter or buckling of the mean system it takes R at a fraction of p̄₀. The fraction 0
+    serves where K(0) is symmetric and positive definite; else a multiple of M is added to it.
 
     Parameters
     ----------
@@ -124,11 +131,6 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
     -------
     ModalBasis
         All its arrays are real if the system is undamped.
-
-    Raises
-    ------
-    ValueError
-        If an undamped system is unstable without any load.
     """
     static = np.broadcast_to(
         numbers("static_load", static_load),
@@ -142,10 +144,22 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
             break
         load = np.where(bad, fraction * static, load)
         basis = modal_basis(system, load)
+    if not _is_good(basis, system.is_damped).all():
+        return _shifted_basis(system, basis.load)
     if system.is_damped or np.isrealobj(basis.frequencies):
         return basis
-    if not is_real(basis.frequencies).all():
-        raise ValueError("`system` must be stable without load and damping, its stiffness is not")
-    return ModalBasis(
-        basis.load, basis.frequencies.real, basis.vectors.real, np.linalg.inv(basis.vectors.real)
+    real = basis.vectors.real
+    return replace(
+        basis, frequencies=basis.frequencies.real, vectors=real, inverse=np.linalg.inv(real)
     )
+
+
+def _shifted_basis(system: System, load: Array) -> ModalBasis:
+    """Return the modal basis with the stiffness K(0) + sM, s so large that it is positive."""
+    elastic = (system.elastic + system.elastic.T) / 2
+    squares = eigvalsh(elastic, system.mass)
+    positive = squares[squares > NEGLIGIBLE * np.abs(squares).max()]
+    shift = max(-2 * float(squares[0]), 0.0) + (float(positive[0]) if positive.size else 1.0)
+    rest = np.zeros_like(load)
+    stiffness = system.stiffness(rest) + shift * system.mass
+    return replace(modal_basis(system, rest, stiffness), shift=np.full_like(load, shift))

@@ -10,10 +10,12 @@ import numpy as np
 from .._arguments import LARGEST, numbers
 from .._tolerances import MAP_SHORT_OF_POLE
 from .._types import AnyArray, Array, ArrayLike, Complex, Mask
+from .periodic_load import COSINE, PeriodicLoad
 from .stiffness_law import StiffnessLaw
 
 __all__ = ["System", "frequencies_at_rest", "fundamental_frequency", "single_speed"]
 
+_CROSS = ("cross_stiffness", "cross_damping")
 _MATRICES = (
     "mass",
     "gyroscopic",
@@ -26,10 +28,17 @@ _MATRICES = (
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """Matrices of a rotor in complex coordinates U = V + jW, Ψ = Γ − jB, non-dimensional.
+    """Matrices of a rotor, in one of two kinds of coordinates.
 
-    M q̈ + D q̇ + K(p̄) q = 0 with D = −jΩ̄ H + C_e + C_i and K(p̄) = Ka + p̄ Kb − jΩ̄ C_i
-    (or K of another stiffness law in place of Ka + p̄ Kb). Its arrays are read-only copies.
+    M q̈ + D q̇ + K(p̄) q = 0 with D = −jΩ̄ H + C_e + C_i − jC_c and
+    K(p̄) = Ka + p̄ Kb − jΩ̄ C_i − jK_c (or K of another stiffness law in place of Ka + p̄ Kb).
+    Its arrays are read-only copies.
+
+    A rotor that is the same in all directions has complex coordinates U = V + jW, Ψ = Γ − jB: one
+    root ω is one whirl, forward where it is positive. A rotor whose bearings differ in two
+    directions has the coordinates (V, Γ) and j(W, −B) of its two `planes`, twice as
+    many. In these its matrices are real as well: M, Ka and Kb hold one block for each plane, and
+    H couples the planes, [[0, h], [h, 0]]. The roots then come in pairs ±ω.
 
     Parameters
     ----------
@@ -47,6 +56,19 @@ class System:
         μ [-], from 0 (axial load) to 1 (follower load); Kb already contains it.
     law : StiffnessLaw or None
         K(p̄) of the lumped shaft, such as its exact stiffness; None for the linear law.
+    cross_stiffness, cross_damping : (n, n) float or None
+        K_c and C_c of cross-coupled bearings, None where there are none. With complex coordinates
+        they are k_xy and c_xy of a bearing with k_yx = −k_xy and c_yx = −c_xy, with two planes
+        [[0, k_xy], [−k_yx, 0]] and [[0, c_xy], [−c_yx, 0]].
+    planes : bool
+        Whether the coordinates are those of two planes.
+    pulsation : PeriodicLoad
+        Shape of the load over its period; a cosine unless given.
+
+    Raises
+    ------
+    ValueError
+        If another stiffness law meets another load than a cosine.
 
     References
     ----------
@@ -62,11 +84,22 @@ class System:
     spin_speed: Array
     tangency: float = 0.0
     law: StiffnessLaw | None = None
+    cross_stiffness: Array | None = None
+    cross_damping: Array | None = None
+    planes: bool = False
+    pulsation: PeriodicLoad = COSINE
 
     def __post_init__(self) -> None:
         """Make every array read-only."""
-        for name in (*_MATRICES, "spin_speed"):
+        if self.law is not None and self.pulsation != COSINE:
+            raise ValueError(
+                f"`pulsation` must be a cosine with the {self.law.name} stiffness law, "
+                f"got {self.pulsation}"
+            )
+        for name in (*_MATRICES, *_CROSS, "spin_speed"):
             array = np.asarray(getattr(self, name))
+            if getattr(self, name) is None:
+                continue
             if array.flags.writeable or array.base is not None or array.dtype != np.float64:
                 array = np.array(array, dtype=np.float64)
                 array.flags.writeable = False
@@ -74,13 +107,19 @@ class System:
 
     @property
     def size(self) -> int:
-        """Number n of complex degrees of freedom."""
+        """Number n of coordinates: complex ones, or those of both planes."""
         return int(self.mass.shape[0])
 
     @property
     def is_damped(self) -> bool:
-        """Whether any damping is present."""
-        return bool(self.external_damping.any() or self.internal_damping.any())
+        """Whether any damping or cross coupling is present: motion cannot be run backwards."""
+        parts = self.external_damping, self.internal_damping, self.cross_stiffness
+        return any(part is not None and bool(part.any()) for part in (*parts, self.cross_damping))
+
+    @property
+    def is_reversible(self) -> bool:
+        """Whether half a period tells the whole: no damping, and a load that is even in time."""
+        return not self.is_damped and self.pulsation.is_even
 
     @property
     def is_linear(self) -> bool:
@@ -141,7 +180,8 @@ class System:
         if self.law is not None:
             law = self.law.name
             raise ValueError(f"`system` must have the linear stiffness law, got the {law} one")
-        matrices = {name: basis.T @ getattr(self, name) @ basis for name in _MATRICES}
+        names = [name for name in (*_MATRICES, *_CROSS) if getattr(self, name) is not None]
+        matrices = {name: basis.T @ getattr(self, name) @ basis for name in names}
         return replace(self, **matrices)
 
     def spin_matrix(self) -> Array:
@@ -149,11 +189,24 @@ class System:
         return self.spin_speed[..., None, None] * self.gyroscopic
 
     def damping(self) -> Complex:
-        """Return D = −jΩ̄ H + C_e + C_i (..., n, n)."""
-        return self.external_damping + self.internal_damping - 1j * self.spin_matrix()
+        """Return D = −jΩ̄ H + C_e + C_i − jC_c (..., n, n)."""
+        crossed = self.spin_matrix()
+        if self.cross_damping is not None:
+            crossed = crossed + self.cross_damping
+        return self.external_damping + self.internal_damping - 1j * crossed
+
+    def cross_part(self) -> AnyArray:
+        """Return −jΩ̄ C_i − jK_c (..., n, n), the part of K that rotating damping and bearings add.
+
+        It does not depend on the load, and is a real 0 where there is neither.
+        """
+        crossed = np.zeros_like(self.mass) if self.cross_stiffness is None else self.cross_stiffness
+        if self.internal_damping.any():
+            crossed = crossed + self.spin_speed[..., None, None] * self.internal_damping
+        return -1j * crossed if crossed.any() else np.zeros_like(self.mass)
 
     def load_stiffness(self, load: ArrayLike) -> Array:
-        """Return K(p̄) without the part −jΩ̄ C_i of the rotating damping.
+        """Return K(p̄) without the `cross_part`.
 
         Parameters
         ----------
@@ -175,7 +228,7 @@ class System:
         return self.elastic + load[..., None, None] * self.geometric
 
     def stiffness(self, load: ArrayLike) -> AnyArray:
-        """Return K(p̄), the matrix that multiplies q, with the part of the rotating damping.
+        """Return K(p̄), the matrix that multiplies q, with the `cross_part`.
 
         Parameters
         ----------
@@ -184,7 +237,7 @@ class System:
 
         Returns
         -------
-        (..., n, n) float, or complex with rotating damping
+        (..., n, n) float, or complex with rotating damping or cross coupling
 
         Raises
         ------
@@ -192,14 +245,14 @@ class System:
             If the load is not finite, or past the pole of the stiffness.
         """
         stiffness = self.load_stiffness(load)
-        if not self.internal_damping.any():
+        if self.cross_stiffness is None and not self.internal_damping.any():
             return stiffness
-        return stiffness - 1j * self.spin_speed[..., None, None] * self.internal_damping
+        return stiffness + self.cross_part()
 
     def load_harmonics(
         self, static_load: ArrayLike, pulsating_load: ArrayLike, count: int = 1
     ) -> list[Array]:
-        """Return K₀ … K_count of K(p̄₀ + p̄_t cos φ) = Σ K_m cos mφ, without rotating damping.
+        """Return K₀ … K_count of K(p̄) = Σ K_m cos mφ at an even load, without `cross_part`.
 
         Parameters
         ----------
@@ -216,15 +269,18 @@ class System:
         Raises
         ------
         ValueError
-            If a load is not finite, or the peak load is past the pole of the stiffness.
+            If a load is not finite, the peak load is past the pole of the stiffness, or the
+            pulsation has sine terms.
         """
+        if not self.pulsation.is_even:
+            raise ValueError(f"`system` must have an even pulsation, got {self.pulsation}")
         static, pulsating = np.broadcast_arrays(
             numbers("static_load", static_load), numbers("pulsating_load", pulsating_load)
         )
         if self.law is None:
-            zero = np.zeros((*static.shape, self.size, self.size))
-            first = pulsating[..., None, None] * self.geometric
-            return [self.load_stiffness(static), first, *[zero] * (count - 1)][: count + 1]
+            swing = pulsating[..., None, None] * self.geometric
+            cosine = [*self.pulsation.cosine, *[0.0] * count][:count]
+            return [self.load_stiffness(static), *(c * swing for c in cosine)]
         return list(self.law.harmonics(static, pulsating, count))
 
 

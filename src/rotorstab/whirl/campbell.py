@@ -10,7 +10,7 @@ from .._arguments import number, series
 from .._types import Array, ArrayLike, Complex
 from ..model.system import System, single_speed
 from .frequencies import whirl_frequencies
-from .mode_names import mode_names, named_frequencies
+from .mode_names import mode_names, named_frequencies, names_of
 from .tracking import nearest_columns, track
 
 __all__ = ["WhirlCurves", "campbell_diagram", "load_frequency_curves"]
@@ -28,7 +28,8 @@ class WhirlCurves:
         ω [√(EI/(ρAL⁴))], one mode a column.
     names : tuple of str
         2n names, such as ("2B", "1B", "1F", "2F"): the number counts by |ω| within backward (B)
-        and forward (F) whirls of the undamped rotor without load.
+        and forward (F) whirls of the undamped rotor without load. With a system of two planes they
+        are those of the orbits where the curves start; −ω has the name of ω with a minus.
     """
 
     parameter: Array
@@ -68,6 +69,8 @@ def load_frequency_curves(system: System, loads: ArrayLike) -> WhirlCurves:
     single_speed(system)
     start = int(np.abs(loads).argmin()) if loads.size else 0
     rows = track(whirl_frequencies(system, loads), start)
+    if system.planes and loads.size:
+        return WhirlCurves(loads, rows, names_of(system, float(loads[start]), rows[start]))
     if system.is_damped and loads.size:
         named = named_frequencies(system, float(loads[start]))
         rows = rows[:, nearest_columns(named, rows[start])]
@@ -82,8 +85,8 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
     system : System
         Its own spin speed is not used.
     spin_speeds : (m,) float
-        Ascending Ω̄ [√(EI/(ρAL⁴))]. Modes are followed from the first speed; with damping they
-        are named at the fastest.
+        Ascending Ω̄ [√(EI/(ρAL⁴))]. Modes are followed from the first speed; with damping, or
+        with two planes, they are named at the fastest.
     load : float
         p̄ [EI/L²].
 
@@ -107,9 +110,12 @@ def campbell_diagram(system: System, spin_speeds: ArrayLike, load: float = 0.0) 
     speeds = series("spin_speeds", spin_speeds)
     load = number("load", load)
     rows = track(whirl_frequencies(system.at_speed(speeds), load))
+    fastest = int(np.abs(speeds).argmax()) if speeds.size else 0
+    if system.planes and speeds.size:
+        names = names_of(system.at_speed(speeds[fastest]), load, rows[fastest])
+        return WhirlCurves(speeds, rows, names)
     if system.is_damped and speeds.size:
         # there the two directions differ most; at rest an overdamped pair has no direction
-        fastest = int(np.abs(speeds).argmax())
         named = named_frequencies(system.at_speed(speeds[fastest]), load)
         rows = rows[:, nearest_columns(named, rows[fastest])]
     return WhirlCurves(speeds, rows, mode_names(system.size))

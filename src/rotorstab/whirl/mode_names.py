@@ -2,6 +2,9 @@
 
 The number counts by |ω| within each direction of precession, B backward and F forward, of the
 undamped rotor without load. Along a curve a mode keeps its name.
+
+With the coordinates of two planes each root ω > 0 is one motion, and its orbit tells the direction:
+B, F, or S for straight lines. The root −ω of the same motion has a minus before its name.
 """
 
 from __future__ import annotations
@@ -11,13 +14,14 @@ from dataclasses import replace
 import numpy as np
 
 from .._arguments import LARGEST, number
-from .._tolerances import NEGLIGIBLE
-from .._types import ArrayLike, Complex
+from .._tolerances import NEGLIGIBLE, STRAIGHT_ORBIT
+from .._types import AnyArray, ArrayLike, Complex
+from ..model.modal import modal_basis
 from ..model.system import System, single_speed
 from .frequencies import whirl_frequencies
 from .tracking import nearest_columns, track
 
-__all__ = ["mode_names", "named_frequencies", "names_by_rank", "names_of"]
+__all__ = ["mode_names", "named_frequencies", "names_by_orbit", "names_by_rank", "names_of"]
 
 _LOADS, _DAMPINGS = 48, 160  # steps in which a spectrum is followed
 
@@ -68,6 +72,47 @@ def names_by_rank(frequencies: ArrayLike) -> tuple[str, ...]:
     return tuple(names)
 
 
+def names_by_orbit(system: System, frequencies: AnyArray, vectors: AnyArray) -> tuple[str, ...]:
+    """Name the modes of a system of two planes by their orbits.
+
+    Parameters
+    ----------
+    system : System
+        Of two planes.
+    frequencies : (2n,) float or complex
+        ω, sorted by real part.
+    vectors : (2n, 2n) float or complex
+        One column for each ω; its first n rows are q.
+
+    Returns
+    -------
+    tuple of str
+        F, B or S for forward, backward or straight, numbered by |ω|; with a minus for ω < 0. Where
+        stations of one mode whirl in different directions, that with the larger kinetic energy
+        names it.
+    """
+    half = system.size // 2
+    first, second = vectors[:half], vectors[half : 2 * half]
+    mass = system.mass[:half, :half]
+
+    def energy(part: AnyArray) -> AnyArray:
+        return np.asarray(np.einsum("ik,ij,jk->k", part.conj(), mass, part).real)
+
+    forward, backward = energy(first + second), energy(first - second)
+    # the root −ω turns its orbit the other way
+    lead = (forward - backward) * np.where(np.real(frequencies) < 0, -1, 1)
+    straight = np.abs(lead) <= STRAIGHT_ORBIT * (forward + backward)
+    letters = np.where(straight, "S", np.where(lead > 0, "F", "B"))
+    count = {"F": 0, "B": 0, "S": 0}
+    names = [""] * len(letters)
+    for up in range(half * 2, 4 * half):
+        letter = str(letters[up])
+        count[letter] += 1
+        names[up] = f"{count[letter]}{letter}"
+        names[len(names) - 1 - up] = "−" + names[up]
+    return tuple(names)
+
+
 def named_frequencies(system: System, load: float = 0.0) -> Complex:
     """Return the whirl frequencies in the order of `mode_names`.
 
@@ -90,8 +135,8 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     Raises
     ------
     ValueError
-        If the system has several spin speeds, or the load is not finite or past the pole of the
-        stiffness.
+        If the system has several spin speeds or is one of two planes, or the load is not finite
+        or past the pole of the stiffness.
 
     Examples
     --------
@@ -101,16 +146,18 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     {'2B': -1.7334, '1B': -0.2661, '1F': 1.073, '2F': 4.9265}
     """
     single_speed(system)
+    if system.planes:
+        raise ValueError("`system` must have complex coordinates, got one of two planes")
     load = number("load", load, -LARGEST, LARGEST)
     loads = np.linspace(0.0, load, _LOADS) if load else np.zeros(1)
     rows = [whirl_frequencies(system, loads)]
     if system.is_damped:
         # quadratic steps, for the fastest modes are overdamped first
         share = np.linspace(0.0, 1.0, _DAMPINGS)[:-1, None, None] ** 2
+        parts = ("external_damping", "internal_damping", "cross_stiffness", "cross_damping")
+        given = {name: getattr(system, name) for name in parts}
         rising = replace(
-            system,
-            external_damping=share * system.external_damping,
-            internal_damping=share * system.internal_damping,
+            system, **{name: share * part for name, part in given.items() if part is not None}
         )
         rows.insert(0, whirl_frequencies(rising, 0.0))
     found = track(np.concatenate(rows))[-1]
@@ -135,8 +182,15 @@ def names_of(system: System, load: float, frequencies: ArrayLike) -> tuple[str, 
     Returns
     -------
     tuple of str
-        In the order of `frequencies`. Undamped modes are named by rank, see `names_by_rank`.
+        In the order of `frequencies`. Undamped modes are named by rank, see `names_by_rank`, those
+        of a system of two planes by their orbits.
     """
+    if system.planes:
+        basis = modal_basis(system, load)
+        names = names_by_orbit(system, basis.frequencies, basis.vectors)
+        given = np.asarray(frequencies, dtype=np.complex128)
+        found = np.asarray(basis.frequencies, dtype=np.complex128)
+        return tuple(names[i] for i in nearest_columns(given, found))
     if not system.is_damped:
         return names_by_rank(frequencies)
     names = mode_names(system.size)

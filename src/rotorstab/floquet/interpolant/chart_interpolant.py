@@ -43,9 +43,10 @@ def chart_panels(
     frequencies = basis.frequencies
     coupling = _coupling(sampler)
     drive = float(np.linalg.norm(sampler.load_slope, 2)) * (
-        sampler.largest_load + abs(sampler.static_load - float(basis.load))
+        sampler.largest_load * system.pulsation.largest
+        + abs(sampler.static_load - float(basis.load))
     )
-    fastest = float(np.sqrt(np.abs(frequencies).max() ** 2 + drive))
+    fastest = float(np.sqrt(np.abs(frequencies).max() ** 2 + drive + float(basis.shift)))
     if isinstance(sampler, SlowSampler):
         steps = _STEPS_PER_RADIAN_OF_SLOW
     else:
@@ -61,8 +62,9 @@ def chart_panels(
         rate=density * sampler.share * fastest * steps / MAP_LEVELS[0],
         density=density,
         tolerance=_TOLERANCE,
-        even=sampler.closed_form,
+        even=sampler.is_even,
         resolve=resolve,
+        least_steps=system.pulsation.highest,
     )
 
 
@@ -224,7 +226,7 @@ class ChartInterpolant:
         growth, error, approach : (...) float
             `approach` as in `self_inversive_growth`, NaN without a closed form.
         """
-        if self.closed_form and not self.system.is_damped:
+        if self.closed_form and self.system.is_reversible:
             growth, slack, approach = self_inversive_growth(functions, error, with_approach)
             return growth / periods, slack / periods, approach
         measure = collision_approach if with_approach and self.closed_form else None
@@ -239,7 +241,7 @@ class ChartInterpolant:
         `edge_of_multipliers`, divided by T².
         """
         damped = self.system.is_damped
-        if self.closed_form and not damped:
+        if self.closed_form and self.system.is_reversible:
             growth, slack, approach = self_inversive_growth(functions, error, with_approach=True)
             growth, slack, smooth = growth / periods, slack / periods, edge_of_approach(approach)
         else:
@@ -259,7 +261,7 @@ class ChartInterpolant:
         else:
             size = 2 * self.system.size
             shape = (*functions.shape[1:], size, size)
-            solver = matrix_growth if self.system.is_damped else reversed_growth
+            solver = reversed_growth if self.system.is_reversible else matrix_growth
             growth, slack, measured = solver(
                 np.moveaxis(functions, 0, -1).reshape(shape),
                 np.moveaxis(error, 0, -1).reshape(shape),

@@ -92,6 +92,7 @@ def plan_panels(
     tolerance: float,
     even: bool,
     resolve: float = 0.0,
+    least_steps: int = 1,
 ) -> tuple[Panel, ...]:
     """Return the cheapest division of the sorted periods into panels, at octaves of T.
 
@@ -116,6 +117,8 @@ def plan_panels(
         Whether the functions are even in the load.
     resolve : float
         Period up to which panels must be interpolable between columns.
+    least_steps : int
+        Smallest common factor of the step counts: the highest harmonic of the load.
 
     Returns
     -------
@@ -136,7 +139,7 @@ def plan_panels(
         low, high, loads = ends[start], ends[stop], across[stop]
         nodes = int(np.ceil(density * _period_nodes(bandwidth, decay, high - low)))
         columns = stop - start
-        steps = max(1, int(np.ceil(rate * high)))
+        steps = max(least_steps, int(np.ceil(rate * high)))
         if columns <= nodes and low >= resolve:
             nodes = 0
         made = Panel(slice(start, stop), low, high, nodes, loads, steps)

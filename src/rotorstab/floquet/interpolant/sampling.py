@@ -82,7 +82,7 @@ class NodeSampler:
         self.closed_form = system.size == 2
         self.basis: ModalBasis = splitting_basis(system, static_load)
         # the part of a period that is integrated; without damping time reversal gives the rest
-        self.share = 1.0 if system.is_damped else 0.5
+        self.share = 0.5 if system.is_reversible else 1.0
         frequencies = self.basis.frequencies
         # The mean phase of the multipliers and the slowest decay of the mean system are divided
         # out, so that no coefficient is large against that of the multiplier that grows. By
@@ -93,7 +93,9 @@ class NodeSampler:
         # the whirls whose multipliers a chart is of
         self.whirls: Index = np.arange(2 * n)
         self.load_slope = self._load_slope()
-        self.coupling = self.basis.inverse[:, n:] @ self.load_slope @ self.basis.vectors[:n]
+        to_momentum, displacement = self.basis.inverse[:, n:], self.basis.vectors[:n]
+        self.coupling = to_momentum @ self.load_slope @ displacement
+        self.shift = self.basis.shift * (to_momentum @ displacement)
 
     def _load_slope(self) -> Array:
         """Return M⁻¹ times the steepest secant of K(p̄) over the loads of the chart."""
@@ -105,9 +107,14 @@ class NodeSampler:
             slope = (high - low) / swing
         return np.asarray(np.linalg.solve(system.mass, slope))
 
+    @property
+    def is_even(self) -> bool:
+        """Whether the functions are even in p̄_t: −p̄_t is p̄_t half a period later."""
+        return self.closed_form and self.system.pulsation.is_antiperiodic
+
     def load_variable(self, load: Array) -> Array:
-        """Return the variable in which the load is interpolated: p̄_t², or |p̄_t| for matrices."""
-        return np.square(load) if self.closed_form else np.abs(load)
+        """Return the variable in which the load is interpolated: p̄_t² where that is enough."""
+        return np.square(load) if self.is_even else np.abs(load)
 
     @property
     def largest_variable(self) -> float:
@@ -128,7 +135,7 @@ class NodeSampler:
         if panel.period_nodes:
             period = chebyshev_nodes(panel.period_nodes, panel.low, panel.high)
         load = self.variable_nodes(panel.load_nodes)
-        load = np.sqrt(load) if self.closed_form else load
+        load = np.sqrt(load) if self.is_even else load
         evaluate = self._coefficients if self.closed_form else self._entries
         values, step_error = evaluate(period, load, panel.steps)
         coefficients = values @ chebyshev_transform(len(load)).T
@@ -168,7 +175,7 @@ class NodeSampler:
         They are extrapolated from two levels of steps. A third level at some of the longer periods
         measures the errors, which grow with T and oscillate with the phases of the modes.
         """
-        damped, count = self.system.is_damped, len(period)
+        whole, count = self.share == 1, len(period)
         at = probes(period)
         spans = [period, period, period[at]]
         y = np.concatenate(
@@ -179,7 +186,7 @@ class NodeSampler:
             axis=2,
         )
         scale = np.exp(1j * self.drift * np.concatenate(spans))[:, None]
-        found = (characteristic_coefficients if damped else reversed_coefficients)(y, scale)
+        found = (characteristic_coefficients if whole else reversed_coefficients)(y, scale)
         fine, medium, coarse = found[:, :count], found[:, count : 2 * count], found[:, 2 * count :]
         values = _TWO[0] * fine + _TWO[1] * medium
         better = _THREE[0] * fine[:, at] + _THREE[1] * medium[:, at] + _THREE[2] * coarse
@@ -187,8 +194,8 @@ class NodeSampler:
         stretch = max(period[0], period[-1]) / period[at, None]
         error = _SAFETY * (gap * stretch**ERROR_POWER).max(axis=1)
         # the coefficients are sums of products of so many entries: in strong growth rounding shows
-        factors = np.array([1, 2, 3] if damped else [4, 4, 4])[:, None]
-        largest = np.abs(y / scale if damped else y).max(axis=(0, 1))
+        factors = np.array([1, 2, 3] if whole else [4, 4, 4])[:, None]
+        largest = np.abs(y / scale if whole else y).max(axis=(0, 1))
         return values, error + _ROUNDING * largest.max(axis=0) ** factors
 
     def _entries(self, period: Array, load: Array, steps: int) -> tuple[AnyArray, Array]:
@@ -212,11 +219,14 @@ class NodeSampler:
         """
         y = np.moveaxis(self._propagators(period, load, steps), (0, 1), (2, 3))
         frequencies = self.basis.frequencies
-        bracket = np.subtract.outer(frequencies, frequencies) * self.coupling / 24
-        start = float(self.static_load - self.basis.load) + load
-        end = start if self.share == 1 else start - 2 * load
-        ends = np.array([np.atleast_2d(end), np.atleast_2d(-start)])
-        change = ends[..., None, None] * bracket
+        bracket = np.subtract.outer(frequencies, frequencies) / 24
+        steady = float(self.static_load - self.basis.load)
+        first, last = self.system.pulsation.at(np.array([0.0, 2 * np.pi * self.share]))
+        kicks = [
+            (steady + part * np.atleast_2d(load))[..., None, None] * self.coupling - self.shift
+            for part in (last, first)
+        ]
+        change = np.array([kicks[0], -kicks[1]]) * bracket
         change = change * np.square(self.share * period / steps)[:, None, None, None]
         square = change @ change / 2
         left, right = np.eye(len(frequencies)) + change + square + square @ change / 3

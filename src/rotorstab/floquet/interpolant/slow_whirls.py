@@ -71,7 +71,7 @@ class SlowSampler(NodeSampler):
 
     def mean_growth(self, functions: AnyArray, periods: Array) -> Array | float:
         """Return ln|c₄|/4, which was divided out of the multipliers."""
-        return functions[3].real if self.system.is_damped else 0.0
+        return 0.0 if self.system.is_reversible else functions[3].real
 
     def sample(self, panel: Panel, periods: Array) -> PanelSamples:
         """Return the functions in one panel; raise an error where they are not smooth."""
@@ -95,7 +95,7 @@ class SlowSampler(NodeSampler):
         gap = np.abs(gap - values[:, at]) / ((fine / rough) ** 4 - 1)
         stretch = period.max() / period[at, None]
         error = (gap * stretch**ERROR_POWER).max(axis=1)
-        return values, _OFF_CIRCLE[self.system.is_damped] * error
+        return values, _OFF_CIRCLE[not self.system.is_reversible] * error
 
     def _functions(self, propagator: Complex, period: Array) -> AnyArray:
         """Return the functions of propagators (T nodes, load nodes, 2n, 2n)."""
@@ -111,13 +111,13 @@ class SlowSampler(NodeSampler):
         z = slow * np.exp(-(size + 1j * turn) / 4)[..., None]
         c1 = z.sum(axis=-1)
         c2 = (c1 * c1 - (z * z).sum(axis=-1)) / 2
-        if not self.system.is_damped:
+        if self.system.is_reversible:
             return np.array([c1.real, c1.imag, c2.real])
         return np.array([c1, c2, (1 / z).sum(axis=-1), size / 4])
 
     def _slow_multipliers(self, propagator: Complex) -> Complex:
         """Return the multipliers (..., 4) of the slow whirls."""
-        if self.system.is_damped:
+        if not self.system.is_reversible:
             mu, right = np.linalg.eig(propagator)
         else:
             # μ = (1 + jt)/(1 − jt), see `reversed_growth`

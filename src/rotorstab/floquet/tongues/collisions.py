@@ -94,7 +94,7 @@ def _motion(
     `here` are the interpolated functions at `period`, `ahead` those at `period` + `step`.
     """
     rates = (ahead - here) / step
-    if interpolant.system.is_damped:
+    if not interpolant.system.is_reversible:
         excess = interpolant.sampler.excess
         last = np.exp(-excess * period)
         roots, *_ = quartic_multipliers(here[:3], last)
