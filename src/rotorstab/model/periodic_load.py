@@ -141,7 +141,7 @@ class PeriodicLoad:
         Examples
         --------
         >>> fit = PeriodicLoad.from_samples([5.0, 4.0, 3.0, 4.0])
-        >>> fit.static_load, fit.pulsating_load, fit.shape.cosine
+        >>> round(fit.static_load, 9), round(fit.pulsating_load, 9), fit.shape.cosine
         (4.0, 1.0, (1.0,))
         """
         values = numbers("samples", samples)
