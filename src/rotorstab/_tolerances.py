@@ -198,3 +198,19 @@ SAME_FREQUENCY = 1e-9
 
 SAME_POINT = 1e-6
 """Part of θ̄ or p̄_t: points of a search that are closer are one."""
+
+# What is one place of a rotor
+
+SAME_POSITION = 1e-9
+"""Part of the shaft's length: two stations that are closer are one.
+
+Positions are sums of the lengths of sections, with a rounding error of 1e-16 each. An element that
+is shorter than this would lose half of the digits of every result.
+"""
+
+RIGID = 1e-10
+"""Part of the largest stiffness of a rotor's supports below which a support does not hold it.
+
+The stiffness against the two rigid motions of the shaft, as a deflection and as a turn by the
+shaft's length, is compared; 1e-16 of the largest is rounding.
+"""

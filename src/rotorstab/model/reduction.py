@@ -7,17 +7,19 @@ approximated.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
 from scipy.linalg import eigvalsh
 
-from .._numerics.companion import companion_matrix
 from .._types import Array
 from ..rotors.shaft_disk import ShaftDisk
+from .modal import modal_basis
+from .system import System
 from .timoshenko import rotor_matrices, shaft_matrices
 
-__all__ = ["reduction_basis"]
+__all__ = ["reduction_basis", "whirl_shapes"]
 
 # Loads and frequencies at which responses of the shaft alone are taken.
 _RESPONSES = np.linspace(0.0, 1.0, 5)
@@ -67,37 +69,44 @@ def _shaft_basis(shear: float, slenderness: float, elements: int, modes: int) ->
     return basis
 
 
-def _whirl_shapes(
-    mass: Array, gyroscopic: Array, elastic: Array, load: Array, tangency: float
+def whirl_shapes(
+    system: System, loads: Iterable[float], speeds: Iterable[float], count: int, slowest: float
 ) -> Array:
-    """Return the shapes (n, k) of 2B, 1B, 1F, 2F at a few loads and spin speeds.
+    """Return the shapes of the slowest whirls of a rotor at a few loads and spin speeds.
 
-    Right and left eigenvectors are taken, for under a follower load a projection needs both. Each
-    is scaled to qᵀMq = 1/ω², with ω_n/2 in place of slower ω: the elastic energy that a basis
-    misses of it is then the relative error of ω².
+    Parameters
+    ----------
+    system : System
+        With the linear stiffness law.
+    loads, speeds : iterable of float
+        Every load is taken with every speed.
+    count : int
+        How many forward and how many backward whirls are taken.
+    slowest : float
+        Frequency that stands in place of slower ones in the scale of a shape.
+
+    Returns
+    -------
+    (n, k) float
+        Right and left eigenvectors, for under a follower load a projection needs both: their real
+        parts, and their imaginary parts where they have any. Each is scaled to qᴴMq = 1/ω²: the
+        elastic energy that a basis misses of it is then the relative error of ω².
     """
-    n = len(mass)
-    slowest = np.sqrt(eigvalsh(elastic, mass, subset_by_index=(0, 0))[0])
-    buckling = _buckling_load(elastic, load)
-    geometric = load.copy()
-    geometric[0, 1] += tangency  # Eq. (A3); the tip comes first here
+    n = system.size
     shapes = []
-    for share in _MODE_LOADS:
-        for speed in _MODE_SPEEDS:
-            # ω²M q = K q + ω Ω̄H q with the state (q, ω q)
-            stiffness = elastic + share * buckling * geometric
-            constant, linear = (
-                np.linalg.solve(mass, part) for part in (stiffness, speed * gyroscopic)
-            )
-            frequencies, right = np.linalg.eig(companion_matrix(constant, linear))
-            left = np.linalg.solve(mass, np.linalg.inv(right)[:, n:].T)
-            order = np.argsort(np.abs(frequencies))
-            forward = frequencies.real[order] >= 0
-            kept = np.concatenate([order[~forward][:2], order[forward][:2]])
-            speeds = np.maximum(np.abs(frequencies[kept]), _SLOW * slowest)
-            for side in (right[:n, kept].real, left[:, kept].real):
-                size = np.sqrt(np.einsum("ik,ij,jk->k", side, mass, side))
-                shapes.append(side / (size * speeds))
+    for load in loads:
+        for speed in speeds:
+            # state (q, ω q)
+            basis = modal_basis(system.at_speed(speed), load)
+            left = np.linalg.solve(system.mass, basis.inverse[:, n:].T)
+            order = np.argsort(np.abs(basis.frequencies))
+            forward = basis.frequencies.real[order] >= 0
+            kept = np.concatenate([order[~forward][:count], order[forward][:count]])
+            scale = np.maximum(np.abs(basis.frequencies[kept]), slowest)
+            for side in (basis.vectors[:n, kept], left[:, kept]):
+                size = np.sqrt(np.einsum("ik,ij,jk->k", side.conj(), system.mass, side).real)
+                side = side / (size * scale)
+                shapes += [side.real, side.imag] if np.iscomplexobj(side) else [side]
     return np.hstack(shapes)
 
 
@@ -129,7 +138,18 @@ def reduction_basis(rotor: ShaftDisk, tangency: float, elements: int, modes: int
         shapes.T @ matrix @ shapes for matrix in rotor_matrices(rotor, elements)
     )
     factor = np.linalg.cholesky(elastic).T
-    found = _whirl_shapes(mass, gyroscopic, elastic, load, tangency)
+    geometric = load.copy()
+    geometric[0, 1] += tangency  # Eq. (A3); the tip comes first here
+    none = np.zeros_like(mass)
+    buckling = _buckling_load(elastic, load)
+    slowest = _SLOW * np.sqrt(eigvalsh(elastic, mass, subset_by_index=(0, 0))[0])
+    found = whirl_shapes(
+        System(mass, gyroscopic, none, none, elastic, geometric, np.array(0.0)),
+        [share * buckling for share in _MODE_LOADS],
+        _MODE_SPEEDS,
+        2,
+        slowest,
+    )
     basis = np.linalg.solve(factor, np.linalg.svd(factor @ found)[0][:, :modes])
     # the same space in other coordinates, so that the first two are the tip
     basis = basis @ np.linalg.qr(basis[:2].T, mode="complete")[0]

@@ -1,4 +1,4 @@
-"""Matrices of a clamped shaft of Timoshenko elements, with and without its disk.
+"""Timoshenko elements, and the matrices of a clamped shaft of them, with and without its disk.
 
 Two-node elements with interdependent interpolation: cubic deflection v, quadratic section
 rotation γ, shear strain −Φγ″, so nothing locks and Φ = 0 is the Euler–Bernoulli element.
@@ -6,6 +6,7 @@ rotation γ, shear strain −Φγ″, so nothing locks and Φ = 0 is the Euler�
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
@@ -13,12 +14,28 @@ import numpy as np
 from .._types import Array
 from ..rotors.shaft_disk import ShaftDisk
 
-__all__ = ["rotor_matrices", "shaft_matrices"]
+__all__ = ["assembled", "element_matrices", "rotor_matrices", "shaft_matrices"]
 
 
-def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array, Array]:
-    """Return ∫NvᵀNv, ∫NγᵀNγ, the elastic matrix and −∫Nv′ᵀNv′, each (4, 4), of one element.
+@lru_cache(maxsize=1024)
+def element_matrices(shear: float, length: float) -> Array:
+    """Return ∫NvᵀNv, ∫NγᵀNγ, the elastic matrix and −∫Nv′ᵀNv′ of one element with EI = 1.
 
+    Parameters
+    ----------
+    shear : float
+        EI/(κGA), in the square of the unit of `length`; of a shaft of length 1 it is Φ.
+    length : float
+        h.
+
+    Returns
+    -------
+    (4, 4, 4) float
+        The four matrices of the degrees of freedom v₁, γ₁, v₂, γ₂. Times ρA, ρI, EI and 1 they
+        are those of mass, rotary inertia, stiffness and a unit compression.
+
+    Notes
+    -----
     Each row of the arrays `deflection` and `rotation` holds the coefficients of 1, ξ, ξ², ξ³
     (ξ = x/h) in the shape function of one degree of freedom: v₁, γ₁, v₂, γ₂ in turn.
     """
@@ -50,7 +67,32 @@ def _element_matrices(shear: float, length: float) -> tuple[Array, Array, Array,
     curvature = rotation @ derivative
     # Eq. (A2): ½EI γ′² + ½κGA (v′ − γ)² − ½p v′², with v′ − γ = −Φγ″
     elastic = product(curvature) + shear * product(curvature @ derivative)
-    return product(deflection), product(rotation), elastic, -product(deflection @ derivative)
+    load = -product(deflection @ derivative)
+    matrices = np.array([product(deflection), product(rotation), elastic, load])
+    matrices.flags.writeable = False
+    return matrices
+
+
+def assembled(blocks: Iterable[Array]) -> Array:
+    """Return the matrices of elements in a row, each joined to the next.
+
+    Parameters
+    ----------
+    blocks : iterable of (k, 4, 4) float
+        The matrices of each element, from left to right.
+
+    Returns
+    -------
+    (k, 2m + 2, 2m + 2) float
+        Of m elements; the coordinates are v and γ of every node in turn.
+    """
+    parts = np.array(list(blocks))
+    size = 2 * len(parts) + 2
+    matrices = np.zeros((parts.shape[1], size, size))
+    for number, block in enumerate(parts):
+        at = slice(2 * number, 2 * number + 4)
+        matrices[:, at, at] += block
+    return matrices
 
 
 @lru_cache(maxsize=16)
@@ -59,16 +101,9 @@ def shaft_matrices(shear: float, elements: int) -> tuple[Array, Array, Array, Ar
 
     The two coordinates of the clamped root are removed; the tip's deflection and slope are last.
     """
-    size = 2 * elements + 2
-    assembled = []
-    for block in _element_matrices(shear, 1 / elements):
-        matrix = np.zeros((size, size))
-        for first in range(0, 2 * elements, 2):
-            matrix[first : first + 4, first : first + 4] += block
-        matrix = matrix[2:, 2:]
-        matrix.flags.writeable = False
-        assembled.append(matrix)
-    translational, rotational, elastic, load = assembled
+    matrices = assembled([element_matrices(shear, 1 / elements)] * elements)[:, 2:, 2:]
+    matrices.flags.writeable = False
+    translational, rotational, elastic, load = matrices
     return translational, rotational, elastic, load
 
 

@@ -1,4 +1,4 @@
-"""Materials of shafts, and the shear coefficient of a solid circle."""
+"""Materials of shafts, and the shear coefficient of a circular section."""
 
 from __future__ import annotations
 
@@ -13,13 +13,20 @@ from .._tolerances import NEGLIGIBLE
 __all__ = ["MATERIALS", "Material", "material_named", "shear_coefficient"]
 
 
-def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
-    """Return κ of a solid circular section, 6(1 + ν)/(7 + 6ν) with ν = E/(2G) − 1.
+def shear_coefficient(
+    youngs_modulus: float, shear_modulus: float, diameter_ratio: float = 0.0
+) -> float:
+    """Return κ of a circular section, solid or hollow.
+
+    κ = 6(1 + ν)(1 + m²)²/[(7 + 6ν)(1 + m²)² + (20 + 12ν)m²] with ν = E/(2G) − 1; for a solid
+    section it is 6(1 + ν)/(7 + 6ν).
 
     Parameters
     ----------
     youngs_modulus, shear_modulus : float
         E and G in one unit.
+    diameter_ratio : float
+        m [-], inner over outer diameter, in [0, 1).
 
     Returns
     -------
@@ -30,7 +37,7 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
     ------
     ValueError
         If a modulus is not positive and finite, or E > 3G (ν > 0.5), which no isotropic material
-        has.
+        has, or the ratio is out of range.
 
     References
     ----------
@@ -39,8 +46,8 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
 
     Examples
     --------
-    >>> round(shear_coefficient(207e9, 79.6e9), 2)
-    0.89
+    >>> round(shear_coefficient(207e9, 79.6e9), 2), round(shear_coefficient(207e9, 79.6e9, 0.9), 2)
+    (0.89, 0.53)
     """
     youngs_modulus = number("youngs_modulus", youngs_modulus, 0.0, open_low=True)
     shear_modulus = number("shear_modulus", shear_modulus, 0.0, open_low=True)
@@ -50,7 +57,9 @@ def shear_coefficient(youngs_modulus: float, shear_modulus: float) -> float:
             "`youngs_modulus` must be at most 3 `shear_modulus`, "
             f"got {youngs_modulus:g} and {shear_modulus:g}"
         )
-    return 6 * ratio / (1 + 6 * ratio)
+    square = number("diameter_ratio", diameter_ratio, 0.0, 1.0, open_high=True) ** 2
+    hollow = square / (1 + square) ** 2
+    return 6 * ratio / (1 + 6 * ratio + (8 + 12 * ratio) * hollow)
 
 
 @dataclass(frozen=True)
@@ -63,11 +72,25 @@ class Material:
         E and G [Pa].
     density : float
         ρ [kg/m³].
+
+    Raises
+    ------
+    ValueError
+        If a modulus is not in [1, 1e15] or the density not in [1e-6, 1e6].
     """
 
     youngs_modulus: float
     shear_modulus: float
     density: float
+
+    def __post_init__(self) -> None:
+        """Check and normalise every field."""
+        for name, low, high in (
+            ("youngs_modulus", 1.0, 1e15),
+            ("shear_modulus", 1.0, 1e15),
+            ("density", 1e-6, 1e6),
+        ):
+            object.__setattr__(self, name, number(name, getattr(self, name), low, high))
 
     @property
     def shear_coefficient(self) -> float:
