@@ -35,6 +35,7 @@ from tests.testing.rotors import (
     real_frequencies,
     real_matrices,
     rpm,
+    steel_disk,
 )
 
 
@@ -65,6 +66,17 @@ def test_frequencies_of_the_book(rotor, speed, load, unit, printed, allowed):
     ours = slowest(rotor.system(speed), load, count) / unit
     # at rest a forward and a backward whirl have one frequency
     assert ours[:: count // len(printed)] == pytest.approx(printed, abs=allowed)
+
+
+def test_frequencies_of_the_example_of_ross():
+    """Rotor.run_modal of ROSS 2 documents 91.79655318 and 96.28899977 rad/s for this rotor."""
+    rotor = Rotor(
+        (SHAFT,),
+        (steel_disk(0.5, 0.28), steel_disk(1.0, 0.28)),
+        (Bearing(0.0, kxx=1e6, kyy=0.8e6), Bearing(1.5, kxx=1e6, kyy=0.8e6)),
+    )
+    ours = np.unique(slowest(rotor.system(0.0), 0.0, 4).round(8))
+    assert ours == pytest.approx([91.79655318, 96.28899977], abs=5e-9)
 
 
 def test_the_last_frequency_of_example_599():

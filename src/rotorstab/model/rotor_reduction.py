@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import block_diag, eigh, eigvalsh
 
-from .._types import Array
+from .._types import Array, Index
 from .reduction import whirl_shapes
 from .system import System
 
 __all__ = ["whirl_basis"]
 
-_FREE_MODES = 40  # from which whirl shapes are taken, or four times as many as are kept
+_FREE_MODES = 24  # from which whirl shapes are taken, or four times as many as are kept
 # Loads and speeds at which whirl shapes are taken
 _LOADS = (-0.95, 0.0, 0.95)  # of the load that buckles the resting rotor
 _SPEEDS = (0.0, 0.25)  # of the highest natural frequency at rest that is kept
@@ -43,7 +43,8 @@ def whirl_basis(system: System, modes: int) -> Array:
     planes = 2 if system.planes else 1
     size = system.size // planes
     count = min(size, max(_FREE_MODES, 4 * modes))
-    modes_at_rest = [_free_modes(system, part, count) for part in _parts(size, planes)]
+    forced = _forced(system, planes)
+    modes_at_rest = [_modes_at_rest(system, part, count, forced) for part in _parts(size, planes)]
     squares = np.array([squares for squares, _ in modes_at_rest])
     free = [shapes for _, shapes in modes_at_rest]
     small = system.projected(block_diag(*free))
@@ -59,7 +60,7 @@ def whirl_basis(system: System, modes: int) -> Array:
         slowest,
     )
     bases = []
-    for part, vectors in zip(_parts(count, planes), free, strict=True):
+    for part, vectors in zip(_parts(squares.shape[1], planes), free, strict=True):
         weights = np.sqrt(energies[part])
         directions = np.linalg.svd(weights[:, None] * shapes[part])[0][:, :modes]
         basis = vectors @ (directions / weights[:, None])
@@ -72,10 +73,27 @@ def _parts(size: int, planes: int) -> list[slice]:
     return [slice(at * size, (at + 1) * size) for at in range(planes)]
 
 
-def _free_modes(system: System, part: slice, count: int) -> tuple[Array, Array]:
-    """Return ω² (k,) and shapes (n, k) of the slowest free modes of one plane at rest."""
+def _forced(system: System, planes: int) -> Index:
+    """Return the coordinates of each plane where dampers and cross-coupled springs act."""
+    acting = [system.external_damping, system.cross_stiffness, system.cross_damping]
+    rows = np.any([matrix.any(axis=1) for matrix in acting if matrix is not None], axis=0)
+    return np.flatnonzero(rows.reshape(planes, -1).any(axis=0))
+
+
+def _modes_at_rest(system: System, part: slice, count: int, forced: Index) -> tuple[Array, Array]:
+    """Return ω² (k,) and shapes (n, k) of one plane at rest.
+
+    The shapes span the slowest free modes and the static response to a force at each of the
+    `forced` coordinates: free modes alone converge slowly to a shape with a kink there.
+    """
     elastic, mass = system.elastic[part, part], system.mass[part, part]
-    return eigh(elastic, mass, subset_by_index=(0, count - 1))
+    squares, free = eigh(elastic, mass, subset_by_index=(0, count - 1))
+    held = elastic + abs(squares[-1]) * mass  # a rigid motion has no static response
+    static = np.linalg.solve(held, np.eye(len(mass))[:, forced])
+    factor = np.linalg.cholesky(mass).T
+    span = np.linalg.solve(factor, np.linalg.qr(factor @ np.hstack([free, static]))[0])
+    squares, inner = eigh(span.T @ elastic @ span)
+    return squares, span @ inner
 
 
 def _reference_load(geometric: Array, energies: Array, slowest: float) -> float:

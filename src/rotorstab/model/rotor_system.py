@@ -63,7 +63,9 @@ def rotor_system(
     ======  =======
 
     Take 4 or more. Under a follower load take 6 or more: near flutter a small error of the
-    matrices is a larger one of the frequencies.
+    matrices is a larger one of the frequencies. A compressor on oil films with a dozen seals, whose
+    whirls are strongly damped, needs 8 for an error of 1e-3: its complex shapes count twice in a
+    real basis.
 
     References
     ----------
