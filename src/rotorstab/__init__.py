@@ -22,9 +22,10 @@ from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, line
 from .model.stiffness_law import STIFFNESS_LAWS, StiffnessLaw
 from .model.system import System, fundamental_frequency
 from .rotors.materials import MATERIALS, Material
-from .rotors.parts import AxialLoad, Bearing, Disk, ShaftSection, Sleeve
+from .rotors.parts import AxialLoad, Bearing, Disk
 from .rotors.ross import NotCarriedOver
 from .rotors.rotor import Rotor
+from .rotors.sections import ShaftSection, Sleeve
 from .rotors.shaft_disk import BASE_CASE, EULER_BERNOULLI_TWIN, TABLE_1_SI, Scales, ShaftDisk
 from .whirl.campbell import WhirlCurves, campbell_diagram, load_frequency_curves
 from .whirl.critical_loads import beck_load, critical_load, flutter_load

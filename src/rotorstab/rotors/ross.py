@@ -19,8 +19,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from .parts import Disk
 from .places import RotorFileError, lines_of_json, lines_of_toml
-from .ross_elements import RossElements
+from .ross_bearings import bearings_and_masses
+from .ross_shaft import shaft_sections
+from .ross_tables import RossTables
 from .rotor import Rotor
 
 __all__ = ["NotCarriedOver", "read_ross", "rotor_from_ross_text"]
@@ -65,13 +68,54 @@ def rotor_from_ross_text(text: str, spin_speed: float | None = None) -> Rotor:
     """
     if len(text) > LARGEST_FILE:
         raise RotorFileError(f"the file is larger than {LARGEST_FILE // 1_000_000} MB")
-    tables, lines = _parsed(text)
-    elements = RossElements(tables, lines, spin_speed)
-    rotor = elements.rotor()
-    for reason, names in elements.left_out.items():
+    ross = RossTables(*_parsed(text))
+    rotor = _rotor(ross, spin_speed)
+    for reason, names in ross.left_out.items():
         shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
         warnings.warn(f"{reason}: {shown}", NotCarriedOver, stacklevel=4)
     return rotor
+
+
+def _rotor(ross: RossTables, spin_speed: float | None) -> Rotor:
+    """Return the rotor; what is left out is noted in `ross`."""
+    sections, nodes = shaft_sections(ross)
+    for name in ross.named("CouplingElement"):
+        ross.fail(name, "a coupling between two shafts cannot be represented")
+    bearings, added = bearings_and_masses(ross, nodes, spin_speed)
+    disks = [_disk(ross, name, nodes) for name in ross.named("DiskElement", "Gear")]
+    masses = [_point_mass(ross, name, nodes) for name in ross.named("PointMass")]
+    for name in ross.named("Gear"):
+        ross.note("a gear is carried over as a disk", name)
+    known = ross.named("ShaftElement", "DiskElement", "Gear", "PointMass")
+    for name, table in ross.elements.items():
+        if name not in known and "kxx" not in table:
+            ross.note("this kind of element is not carried over", name)
+    try:
+        return Rotor(tuple(sections), (*disks, *masses, *added), tuple(bearings))
+    except ValueError as error:
+        raise RotorFileError(f"the rotor of the file cannot be built: {error}") from None
+
+
+def _disk(ross: RossTables, name: str, nodes: list[float]) -> Disk:
+    """Return a disk."""
+    position = ross.position(name, nodes)
+    mass, diametral, polar = (ross.number(name, key) for key in ("m", "Id", "Ip"))
+    try:
+        return Disk(position, mass, diametral, polar)
+    except ValueError as error:
+        ross.fail(name, error)
+
+
+def _point_mass(ross: RossTables, name: str, nodes: list[float]) -> Disk:
+    """Return a point mass on the shaft as a disk without inertia."""
+    both = [ross.number(name, key, ross.elements[name].get("m")) for key in ("mx", "my")]
+    if both[0] != both[1]:
+        ross.fail(name, f"must have mx = my, got {both[0]:g} and {both[1]:g}")
+    position = ross.position(name, nodes)
+    try:
+        return Disk(position, both[0], 0.0, 0.0)
+    except ValueError as error:
+        ross.fail(name, error)
 
 
 def _parsed(text: str) -> tuple[Mapping[str, Any], Mapping[str, int]]:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from .._arguments import number
 from .._tolerances import SAME_POSITION
-from .parts import AxialLoad, Bearing, Disk, ShaftSection
+from .parts import AxialLoad, Bearing, Disk
+from .sections import ShaftSection
 
 if TYPE_CHECKING:
     from .._types import ArrayLike

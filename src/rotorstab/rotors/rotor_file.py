@@ -14,10 +14,11 @@ from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
 from .materials import MATERIALS, Material, material_named
-from .parts import AxialLoad, Bearing, Disk, ShaftSection, Sleeve
+from .parts import AxialLoad, Bearing, Disk
 from .places import RotorFileError, lines_of_toml
 from .quantities import read_quantity
 from .rotor import Rotor
+from .sections import ShaftSection, Sleeve
 
 __all__ = ["read_rotor", "rotor_from_toml", "rotor_to_toml", "write_rotor"]
 
