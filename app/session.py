@@ -54,7 +54,7 @@ class Session:
         self._scheduler = Scheduler()
         self.files = Files(self._scheduler, lambda content: self.controls.send(content), self.state)
         self.notice = ""
-        self.settling = Settling(self.show_refined, self._scheduler)
+        self.settling = Settling(self.show_finer, self._scheduler)
         self.ahead = Ahead(self._show_anew, self._scheduler)
         # the page and the detail that the browser shows since the last change of anything
         self._shown: tuple[Page, Detail] | None = None
@@ -224,12 +224,12 @@ class Session:
         self._scheduler.call(self._restore_pin)
 
     def _show_anew(self) -> None:
-        """Show what has come without a message of the browser: a pin, or its refined map."""
+        """Show what has come without a message of the browser: a pin, or its full map."""
         self._shown = None
-        self.show_refined(self._detail())
+        self.show_finer(self._detail())
 
-    def show_refined(self, detail: Detail) -> None:
-        """Show a finer picture that has been made: the full map, then the refined one.
+    def show_finer(self, detail: Detail) -> None:
+        """Show a finer picture that has been made in the background.
 
         BokehJS drops what comes while it builds the page: the first message asks for all again.
         """
@@ -263,7 +263,7 @@ class Session:
                 with pn.io.hold():
                     page.show(self.state, detail)
                 self._shown = page, detail
-            if detail is Detail.REFINED:
+            if detail is Detail.FULL:
                 self.ahead.request(page.later(self.state))
             self.notice = ""
             content = page.answer(self.state, detail)

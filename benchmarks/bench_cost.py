@@ -131,7 +131,7 @@ def _spent(work):
 
 def _detail(self, window):
     """Return what is there, as on a server that has begun to make the rest."""
-    return Detail.REFINED if window is None else known_detail(window)
+    return Detail.FULL if window is None else known_detail(window)
 
 
 def _start(self, reply):

@@ -83,12 +83,10 @@ def dashboard():
         )
         moving = best(lambda w=window: floquet_map(w, Detail.COARSE), 5)
         settled = best(lambda w=window: floquet_map(w, Detail.FULL), 3)
-        made = floquet_map(window, Detail.REFINED)
-        refined = best(lambda w=window: floquet_map(w, Detail.REFINED), 3)
+        made = floquet_map(window, Detail.FULL)
         line(f"page, moving: {name}", moving)
-        line(f"page, at rest: {name}", settled)
         note = f"{made.growth.refined} pixels refined, {len(made.edges.thin)} thin tongues"
-        line(f"page, then: {name}", refined, note)
+        line(f"page, at rest: {name}", settled, note)
 
 
 def line(what, seconds, note=""):

@@ -75,7 +75,7 @@ class Tab:
 
     def full(self, slider, value):
         """Return the time from the last move's input event to its full picture painted [ms]."""
-        wanted = probes(slider, value, detail=Detail.REFINED)
+        wanted = probes(slider, value, detail=Detail.FULL)
         return self.page.evaluate("wanted => bench.rest(wanted)", wanted)
 
     def rest(self):

@@ -16,74 +16,59 @@ __all__ = ["Ahead", "Settling"]
 
 
 class Settling:
-    """Has the full picture of a session made: first the full map, then the refined one.
+    """Has the full picture of a session made.
 
-    A newer request cancels an older one. `show` is called by the scheduler when either map is
-    there, or could not be made in the background.
+    A newer request cancels an older one. `show` is called by the scheduler when the map is there,
+    or could not be made in the background.
     """
 
     def __init__(self, show: Callable[[Detail], None], scheduler: Scheduler) -> None:
         self._show = show
         self._scheduler = scheduler
         self._awaited: Window | None = None
-        self._requested: Detail | None = None  # of the awaited window
         scheduler.at_end(self.drop)
 
     def detail(self, window: Window | None) -> Detail:
-        """Return how fine a picture can be shown at once, and have the finer ones made.
+        """Return how fine a picture can be shown at once, and have the full one made.
 
         A window of None needs nothing.
         """
         # without a server no page waits for a finer picture
         if window is None or self._scheduler.document is None:
             self.drop()
-            return Detail.REFINED
+            return Detail.FULL
         if window != self._awaited:
             self.drop()
-            self._request(window)
+            if known_detail(window) is Detail.FULL:
+                return Detail.FULL
+            made = background.request(floquet_map, window, Detail.FULL)
             self._awaited = window
+            made.add_done_callback(partial(self._made, window))
         return known_detail(window)
 
     def drop(self) -> None:
         """Cancel what was requested: this session no longer waits for it."""
         window, self._awaited = self._awaited, None
-        detail, self._requested = self._requested, None
-        if window is not None and detail is not None:
-            background.withdraw(floquet_map, window, detail)
+        if window is not None:
+            background.withdraw(floquet_map, window, Detail.FULL)
 
-    def _request(self, window: Window) -> None:
-        """Request the map that is finer by one step than the finest one that is there."""
-        known = known_detail(window)
-        if known is not Detail.REFINED:
-            detail = Detail(known.value + 1)
-            made = background.request(floquet_map, window, detail)
-            self._requested = detail
-            made.add_done_callback(partial(self._made, window, detail))
-
-    def _made(self, window: Window, detail: Detail, made: Future[FloquetMap]) -> None:
+    def _made(self, window: Window, made: Future[FloquetMap]) -> None:
         """Keep a map for all sessions and have it shown; any thread may call this."""
         if made.cancelled():
             return
-        failed = made.exception() is not None
-        if not failed:
-            keep(window, detail, made.result())
-        self._scheduler.call(partial(self._arrived, window, failed))
+        if made.exception() is None:
+            keep(window, Detail.FULL, made.result())
+        self._scheduler.call(partial(self._arrived, window))
 
-    def _arrived(self, window: Window, failed: bool) -> None:
-        if window != self._awaited:
-            return
-        self._requested = None
-        if not failed:
-            self._request(window)
-        # the session makes what failed itself: it can show the reason on its page
-        detail = Detail.REFINED if failed else known_detail(window)
-        if detail is Detail.REFINED:
+    def _arrived(self, window: Window) -> None:
+        if window == self._awaited:
             self._awaited = None
-        self._show(detail)
+            # the session makes what failed itself: it can show the reason on its page
+            self._show(Detail.FULL)
 
 
 class Ahead:
-    """Has refined maps made that a page shows besides its own, one after the other.
+    """Has full maps made that a page shows besides its own, one after the other.
 
     `show` is called by the scheduler when one of them is there, or could not be made.
     """
@@ -108,8 +93,8 @@ class Ahead:
         self._given_up.clear()
 
     def _made(self, detail: Detail) -> None:
-        if detail is not Detail.REFINED or self._wanted is None:
+        if detail is not Detail.FULL or self._wanted is None:
             return
-        if known_detail(self._wanted) is not Detail.REFINED:
+        if known_detail(self._wanted) is not Detail.FULL:
             self._given_up.add(self._wanted)
         self._show()

@@ -215,8 +215,8 @@ def _reference_load(state: State) -> str:
 def _instability(state: State, result: Result, undamped: str) -> str:
     """Return the lines of the instability chart; `undamped` names the system without damping."""
     model = model_of(state)
-    rows, columns, *_ = map_size(model, Detail.REFINED)
-    options = _arguments(**chart_options(model, Detail.REFINED))
+    rows, columns, *_ = map_size(model, Detail.FULL)
+    options = _arguments(**chart_options(model, Detail.FULL))
     largest = "largest_load"
     if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
         largest = f"min({largest}, system.largest_load - static_load)"

@@ -108,28 +108,28 @@ class Page:
         """Return the page's Panel roots by the name its layout uses."""
         return {f"{self.key}_{key}".replace("-", "_"): place for key, place in self._places.items()}
 
-    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the page's charts for the present inputs, coarser while they move."""
         raise NotImplementedError
 
-    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
         """Return what the browser is sent besides the charts, as plain values."""
         return {}
 
     def awaited(self, state: State) -> Window | None:
-        """Return the window whose refined map is not there yet, if the page shows one."""
+        """Return the window whose full map is not there yet, if the page shows one."""
         return None
 
     def later(self, state: State) -> tuple[Window, ...]:
-        """Return the windows of further maps that the page shows once they are refined."""
+        """Return the windows of further maps that the page shows once they are made."""
         return ()
 
     def need(self, state: State) -> Need | None:
-        """Return what must be made before the refined charts are computed quickly, if anything."""
+        """Return what must be made before the full charts are computed quickly, if anything."""
         window = self.awaited(state) or next(iter(self.later(state)), None)
         if window is None:
             return None
-        wanted = window, Detail.REFINED
+        wanted = window, Detail.FULL
         return Need(floquet_map, wanted, partial(keep, *wanted))
 
     def cache_key(self) -> tuple[Any, ...]:
@@ -167,7 +167,7 @@ class Page:
         """Return the ranges of the charts that may show a part of themselves."""
         return {}
 
-    def show(self, state: State, detail: Detail = Detail.REFINED) -> None:
+    def show(self, state: State, detail: Detail = Detail.FULL) -> None:
         """Build the charts on the first call, patch them on every later one."""
         charts = self.compute(state, detail)
         frames = self.frames(state) if charts else {}

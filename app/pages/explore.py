@@ -74,7 +74,7 @@ class Explore(Page):
             text = text.replace(f"<!-- {name} -->", part)
         return text
 
-    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the three charts, and those of the marked point once there is time for them."""
         result = solve(state, detail, self.view)
         marked = state.marker and self.stage is Stage.COMPLETE
@@ -122,15 +122,15 @@ class Explore(Page):
         }
 
     def awaited(self, state: State) -> Window | None:
-        """Return the window of the growth map until its refined map is there."""
+        """Return the window of the growth map until its full map is there."""
         try:
             window = window_of(state, self.view)
         except ValueError:  # `compute` raises the same error, for the user
             return None
-        return None if known_detail(window) is Detail.REFINED else window
+        return None if known_detail(window) is Detail.FULL else window
 
     def later(self, state: State) -> tuple[Window, ...]:
-        """Return the windows whose refined maps make the outlines of pins exact."""
+        """Return the windows whose full maps make the outlines of pins exact."""
         try:
             now = solve(state, Detail.COARSE, self.view)
             return self._pinned.windows(self.pins, state, now, self.view)
@@ -282,7 +282,7 @@ class Explore(Page):
         """Return what the shaft in SI gives, for the sidebar, which is beside every page."""
         return {"shaft": shaft_words(state)}
 
-    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
         result = solve(state, detail, self.view)
         beside = self._compared(state)
@@ -294,7 +294,7 @@ class Explore(Page):
                 state.show_bolotin or state.show_disagreement,
             ),
             "details": details(result.floquet, shown_scales(state)),
-            "settled": detail is Detail.REFINED,
+            "settled": detail is Detail.FULL,
             "curves": [
                 case.name
                 for case in load_cases(state.model, state.effective_tangency(), state.stiffness)

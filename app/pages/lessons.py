@@ -144,7 +144,7 @@ class Lessons(Page):
         self._running: tuple[Lesson, int] | None = None
         self._before: dict[str, Any] = {}  # the inputs that are restored when the lesson ends
 
-    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
         """Return no charts of its own."""
         return {}
 

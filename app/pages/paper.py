@@ -178,7 +178,7 @@ class Paper(Page):
         super().__init__()
         self.choice: Choice | None = None  # until the browser has named a figure
 
-    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the charts of the chosen figure, with Floquet's once they are there."""
         if self.choice is None:
             return {}

@@ -45,8 +45,8 @@ class _Seen:
 
     @property
     def is_exact(self) -> bool:
-        """Whether its outlines are those of a refined map."""
-        return self.result.floquet.detail is Detail.REFINED
+        """Whether its outlines are those of a full map."""
+        return self.result.floquet.detail is Detail.FULL
 
 
 class PinnedCharts:
@@ -123,8 +123,8 @@ class PinnedCharts:
         if kept is not None and kept.pin is pin and kept.view == seen and kept.is_exact:
             return kept
         window = window_of(pin.state, seen)
-        detail = Detail.REFINED if known_detail(window) is Detail.REFINED else Detail.COARSE
-        if kept is None or kept.pin is not pin or kept.view != seen or detail is Detail.REFINED:
+        detail = Detail.FULL if known_detail(window) is Detail.FULL else Detail.COARSE
+        if kept is None or kept.pin is not pin or kept.view != seen or detail is Detail.FULL:
             result = solve(pin.state, detail, seen)
             kept = _Seen(pin, seen, window, result, _outlines(result))
             self._kept[pin.number] = kept

@@ -41,14 +41,14 @@ class Pin(PinnedInputs):
     result : Result
     scales : Scales
         Of its own shaft.
-    refined : bool
-        Whether the shares of the window are those of a refined map.
+    full : bool
+        Whether the shares of the window are those of a full map.
     """
 
     state: State
     result: Result
     scales: Scales
-    refined: bool
+    full: bool
 
 
 def pin(state: State, name: Any, pins: Sequence[PinnedInputs]) -> Pin | None:
@@ -71,10 +71,10 @@ def solve_pin(pinned: PinnedInputs) -> Pin:
         Where its inputs have no answer.
     """
     state = State(**pinned.inputs)
-    # no curve depends on the growth map: a refined one is used only if it is there
-    refined = known_detail(window_of(state)) is Detail.REFINED
-    result = solve(state, Detail.REFINED if refined else Detail.COARSE)
-    return Pin(pinned.name, pinned.number, pinned.inputs, state, result, state.scales(), refined)
+    # no curve depends on the growth map: a full one is used only if it is there
+    full = known_detail(window_of(state)) is Detail.FULL
+    result = solve(state, Detail.FULL if full else Detail.COARSE)
+    return Pin(pinned.name, pinned.number, pinned.inputs, state, result, state.scales(), full)
 
 
 def _shown(value: Any) -> str:
@@ -83,9 +83,7 @@ def _shown(value: Any) -> str:
     return written(value, 5) if isinstance(value, float) else str(value)
 
 
-def _numbers(
-    result: Result, scales: Scales | None, unit: str, refined: bool = True
-) -> dict[str, str]:
+def _numbers(result: Result, scales: Scales | None, unit: str, full: bool = True) -> dict[str, str]:
     """Return the key numbers by label; in SI with the scales of the shaft, loads in `unit`."""
     shown = result.numbers if scales is None else key_numbers(scales, result.numbers, unit)
     si = scales is not None
@@ -99,7 +97,7 @@ def _numbers(
         numbers[f"Whirl {name} {'f [Hz]' if si else 'ω̄'}"] = _shown(real) + grows
     part = result.floquet.unstable_share
     share = with_unit(f"{100 * part:.3g}", "%") if math.isfinite(part) else "not computed"
-    rough = not refined and math.isfinite(part)
+    rough = not full and math.isfinite(part)
     numbers["Unstable share of the computed window"] = f"≈ {share}" if rough else share
     tongues = result.floquet.table.tongues
     numbers["Tongues"] = ", ".join(row.name for row in tongues) or "none"
@@ -116,7 +114,7 @@ def differences(state: State, result: Result, pins: Sequence[Pin]) -> dict[str, 
     for pin in pins:
         own = None if scales is None else pin.scales
         inputs.append(_inputs(pin.inputs, own))
-        numbers.append(_numbers(pin.result, own, unit, pin.refined))
+        numbers.append(_numbers(pin.result, own, unit, pin.full))
     return {
         "names": [{"name": pin.name, "number": pin.number} for pin in pins],
         "rows": [*_differing(inputs), *_differing(numbers)],

@@ -25,7 +25,7 @@ class Stiffness(Page):
     title = "Stiffness"
     chart_keys = ("k11", "k12", "k21", "k22", "errors")
 
-    def compute(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Chart]:
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the five charts."""
         return stiffness_comparison(state.shear, state.effective_tangency())
 
@@ -34,7 +34,7 @@ class Stiffness(Page):
         chart.figure.min_height = None
         make_low(chart.figure)
 
-    def answer(self, state: State, detail: Detail = Detail.REFINED) -> dict[str, Any]:
+    def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
         """Return the table of loads at which an error level is reached; null where none is."""
         rows = [
             [value if np.isfinite(value) else None for value in row]

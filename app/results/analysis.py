@@ -210,7 +210,7 @@ def window_of(state: State, view: View | None = None) -> Window:
     return _window(_drawn(state), view)
 
 
-def solve(state: State, detail: Detail = Detail.REFINED, view: View | None = None) -> Result:
+def solve(state: State, detail: Detail = Detail.FULL, view: View | None = None) -> Result:
     """Return the charts and key numbers of the state's present inputs.
 
     Parameters

@@ -60,7 +60,7 @@ class FloquetAnswer:
     bolotin_share: float
     both_share: float
     unstable_from: float = math.inf
-    detail: Detail = Detail.REFINED
+    detail: Detail = Detail.FULL
     followed_from: float = 0.0
     drawn_from: float = 0.0
     ends_at: float = math.inf

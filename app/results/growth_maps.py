@@ -17,8 +17,6 @@ _maps: dict[Detail, Store[Window, FloquetMap]] = {
 
 def known_detail(window: Window) -> Detail:
     """Return the finest map of a window that is kept; a coarse one takes under 0.1 s."""
-    if window in _maps[Detail.REFINED]:
-        return Detail.REFINED
     return Detail.FULL if window in _maps[Detail.FULL] else Detail.COARSE
 
 

@@ -21,9 +21,7 @@ class Detail(Enum):
     COARSE = 0
     """A coarse growth map, made in the time of one step of a slider."""
     FULL = 1
-    """The full growth map, without tongue edges."""
-    REFINED = 2
-    """The full map with its doubtful pixels computed one by one, and exact tongue edges."""
+    """The full growth map: doubtful pixels are computed one by one, and the edges are exact."""
 
 
 class MapSize(NamedTuple):
@@ -75,6 +73,10 @@ def map_size(model: Model, detail: Detail, matrices: bool = False) -> MapSize:
 
 MOST_REFINED = {"lumped": 1800, "finite elements": 60}
 """Largest number of pixels computed one by one, by kind of model; those in doubt come first."""
+MOST_CYCLES_REFINED = 40
+"""Largest number of cycles of the fastest whirl on the map in one period of the load, at which a
+pixel is computed one by one. The slowest 2 % of the paper's window took most of a picture's time,
+and lie where no tongue can be drawn."""
 
 MOST_CYCLES = 1000
 """Largest number of cycles of the fastest whirl in one period of the load, on a growth map and in
@@ -91,7 +93,7 @@ COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.75
 """Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
 map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It
 may take the share `COARSE_WORK` of `MOST_WORK`."""
-MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.REFINED: 2_000_000}
+MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.FULL: 2_000_000}
 """Largest sum of nodes times steps of a map, 0.1 s or some 4 s of work (`columns_within_work`)."""
 COARSE_NODES_OF_ELEMENTS = 35_000
 """The same on a coarse map of finite elements, whose steps take twice as long."""

@@ -93,7 +93,7 @@ def chart_options(model: Model, detail: Detail, matrices: bool = False) -> dict[
     """Return the options of `stability_chart` for the growth map of a model."""
     return {
         "density": map_size(model, detail, matrices).density,
-        "refine": detail is Detail.REFINED,
+        "refine": detail is Detail.FULL,
         "most_refined": limits.MOST_REFINED[model.kind],
         # tongues narrower than a pixel are shown by their edges
         "seed": False,
@@ -205,6 +205,7 @@ def _growth(
         frequencies[known],
         edges=True,
         resolve=resolve,
+        refine_from=float(whirls[-1]) / limits.MOST_CYCLES_REFINED,
         slow_whirls=not matrices,
         **chart_options(model, detail, matrices),
     )

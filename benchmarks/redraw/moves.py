@@ -43,7 +43,7 @@ def drag(slider, place=0):
 def charts(slider=None, value=None, without=(), detail=Detail.COARSE):
     """Return all charts of the page Explore for the default settings with one value changed.
 
-    They are those of a slider that moves, or with `Detail.REFINED` those at rest. Some layers may
+    They are those of a slider that moves, or with `Detail.FULL` those at rest. Some layers may
     be left out.
     """
     state = State()

@@ -148,7 +148,7 @@ def picture(session):
     }
 
 
-def expected(detail=Detail.REFINED, **values):
+def expected(detail=Detail.FULL, **values):
     """What the figures must show for these inputs, straight from the solver."""
     state = State()
     assert state.change(values) == {}
@@ -311,11 +311,11 @@ def test_nothing_is_patched_before_the_browser_has_built_the_page(monkeypatch):
     page, drawn = session.pages[session.active], []
     monkeypatch.setattr(page, "show", lambda state, detail: drawn.append(detail))
     monkeypatch.setattr(session.controls, "send", drawn.append)
-    session.show_refined(Detail.FULL)
-    session.show_refined(Detail.REFINED)
+    session.show_finer(Detail.FULL)
+    session.show_finer(Detail.FULL)
     assert drawn == []
     session.respond({"type": "hello"})
-    assert drawn == [Detail.REFINED]
+    assert drawn == [Detail.FULL]
 
 
 def test_a_rest_whose_full_picture_is_being_made_repeats_nothing(session, monkeypatch):
@@ -338,9 +338,9 @@ def test_a_picture_that_is_there_is_not_compared_again(session, monkeypatch):
     change(session, shear=0.03)
     session.respond({"type": "settle"})
     session.respond({"type": "settle"})
-    assert drawn == [Detail.COARSE, Detail.REFINED]
+    assert drawn == [Detail.COARSE, Detail.FULL]
     session.respond({"type": "view"})
-    assert drawn == [Detail.COARSE, Detail.REFINED, Detail.REFINED]
+    assert drawn == [Detail.COARSE, Detail.FULL, Detail.FULL]
 
 
 json_values = st.recursive(
@@ -391,7 +391,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
     change(session, shear=0.03)
     before = picture(session)
 
-    def no_answer(state, detail=Detail.REFINED, view=None):
+    def no_answer(state, detail=Detail.FULL, view=None):
         raise UserError("this rotor has no such load")
 
     monkeypatch.setattr(explore, "solve", no_answer)
@@ -409,7 +409,7 @@ def test_a_value_without_an_answer_keeps_the_picture_and_says_why(session, monke
 def test_a_failure_keeps_the_picture_and_tells_no_detail(session, monkeypatch, caplog):
     before = picture(session)
 
-    def failure(state, detail=Detail.REFINED, view=None):
+    def failure(state, detail=Detail.FULL, view=None):
         raise RuntimeError("a detail of the inside")
 
     monkeypatch.setattr(explore, "solve", failure)

@@ -87,7 +87,7 @@ def test_labels_of_limits_stay_inside_and_apart(spin, stiffness):
 
 
 @pytest.mark.parametrize("preset", [*PRESETS, None])
-@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.REFINED])
+@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
 def test_the_charts_of_every_preset_are_sound(preset, detail):
     found = solved(PRESETS.get(preset, PAST_FLUTTER), detail)
     assert tuple(found) == CHARTS

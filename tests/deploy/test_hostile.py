@@ -223,7 +223,7 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
 
 
 def test_the_default_window_is_whole():
-    result = analysis.solve(State(), detail=Detail.REFINED)
+    result = analysis.solve(State(), detail=Detail.FULL)
     assert result.floquet.followed_from == 0
     assert "blank" not in verdict(result.floquet)
 

@@ -82,6 +82,7 @@ def stability_chart(
     density: float = 1.0,
     refine: bool = True,
     most_refined: int | None = None,
+    refine_from: float = 0.0,
     seed: bool = True,
     edges: bool = False,
     resolve: float = math.inf,
@@ -108,6 +109,8 @@ def stability_chart(
         Largest number of pixels that are computed again; by default there is no limit. Pixels
         whose verdict is in doubt come first, those of the fastest loads before others; the rest
         keep their error.
+    refine_from : float
+        θ̄ below which no pixel is computed again: its time rises with the period of the load.
     seed : bool
         Whether to search for tongues narrower than a pixel, and mark the pixels through which they
         pass. With two coordinates all tongues that grow faster than 1e-4 are found, of any order,
@@ -162,6 +165,7 @@ def stability_chart(
             "of pixels"
         )
     most = None if most_refined is None else whole_number("most_refined", most_refined, 0)
+    refine_from = number("refine_from", refine_from, 0.0)
     if edges and not all((np.diff(x, prepend=0) >= 0).all() for x in (all_loads, all_frequencies)):
         raise ValueError("`edges` needs loads of 0 or more and frequencies in rising order")
     shape = (len(all_loads), len(all_frequencies))
@@ -189,7 +193,8 @@ def stability_chart(
             solve = interpolant.growth_and_edge if edges else interpolant.growth
             part, slack, smooth = solve(*interpolant.on_grid(loads, periods), periods)
             if refine:
-                refined = _refine(system, static, loads, frequencies, part, slack, most)
+                fast = frequencies >= refine_from
+                refined = _refine(system, static, loads, frequencies, part, slack, fast, most)
             part[(np.abs(part) <= slack) & ~(slack * periods < NO_VERDICT)] = np.nan
         highest = _with_subpixel(part, interpolant, loads, frequencies) if seed else part
         target = np.ix_(rows, columns)
@@ -238,10 +243,11 @@ def _refine(
     frequencies: Array,
     growth: Array,
     error: Array,
+    columns: Mask,
     most: int | None,
 ) -> int:
-    """Compute the pixels with large errors again, in place; return how many were computed."""
-    i, j = np.nonzero(~(error <= UNCERTAIN_PIXEL) | ~np.isfinite(growth))
+    """Compute the pixels with large errors in some columns again, in place; return their number."""
+    i, j = np.nonzero((~(error <= UNCERTAIN_PIXEL) | ~np.isfinite(growth)) & columns)
     decided = np.abs(growth[i, j]) > error[i, j]
     # the frequencies fall
     first = np.lexsort((j, decided))[:most]

@@ -1,4 +1,4 @@
-"""What a session waits for: the full map first, then its edges, and nothing that is superseded."""
+"""What a session waits for: the full map, and nothing that is superseded."""
 
 import asyncio
 from concurrent.futures import Future
@@ -19,7 +19,7 @@ from app.results.limits import Detail
 from app.state import State
 from tests.testing.serving import run
 
-COARSE, FULL, REFINED = Detail
+COARSE, FULL = Detail
 WINDOW = replace(window_of(State()), spin_speed=1.2345)
 
 
@@ -95,20 +95,17 @@ def settle(monkeypatch, work, act):
     return shown
 
 
-def test_the_map_is_shown_before_its_doubtful_pixels_are_refined(fresh, monkeypatch):
+def test_the_full_map_is_asked_for_once_and_shown_when_it_is_there(fresh, monkeypatch):
     async def act(one, page):
         assert one.detail(WINDOW) is COARSE
         assert one.detail(WINDOW) is COARSE  # asked once
         await page.ticks(1)
-        assert one.detail(WINDOW) in (FULL, REFINED)
-        await page.ticks(1)
-        assert one.detail(WINDOW) is REFINED
+        assert one.detail(WINDOW) is FULL
 
     work = Here()
-    assert settle(monkeypatch, work, act) == [FULL, REFINED]
-    assert work.asked == [FULL, REFINED]
-    assert known_map(WINDOW, FULL).growth.refined == 0
-    assert known_map(WINDOW, REFINED).growth.refined > 0
+    assert settle(monkeypatch, work, act) == [FULL]
+    assert work.asked == [FULL]
+    assert known_map(WINDOW, FULL).growth.refined > 0
 
 
 def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
@@ -120,10 +117,10 @@ def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
             await asyncio.sleep(0.01)
         one.drop()  # a slider moves before the map's turn comes
         assert one.detail(other) is COARSE
-        await page.ticks(3)
+        await page.ticks(2)
 
-    assert settle(monkeypatch, Here(), act) == [FULL, REFINED]
-    assert known_detail(other) is REFINED
+    assert settle(monkeypatch, Here(), act) == [FULL]
+    assert known_detail(other) is FULL
 
 
 def test_a_map_that_cannot_be_made_elsewhere_is_shown_all_the_same(fresh, monkeypatch):
@@ -133,7 +130,7 @@ def test_a_map_that_cannot_be_made_elsewhere_is_shown_all_the_same(fresh, monkey
         assert one.detail(WINDOW) is COARSE  # asked anew
 
     work = Here(failing=[FULL])
-    assert settle(monkeypatch, work, act) == [REFINED]
+    assert settle(monkeypatch, work, act) == [FULL]
     assert work.asked == [FULL, FULL]
 
 
@@ -144,11 +141,11 @@ def test_a_request_that_failed_is_made_again_by_the_next_message(fresh, monkeypa
         with pytest.raises(RuntimeError):
             one.detail(WINDOW)
         assert one.detail(WINDOW) is COARSE
-        await page.ticks(2)
+        await page.ticks(1)
 
     work = Here(refused=[FULL])
-    assert settle(monkeypatch, work, act) == [FULL, REFINED]
-    assert work.asked == [FULL, REFINED]
+    assert settle(monkeypatch, work, act) == [FULL]
+    assert work.asked == [FULL]
 
 
 def test_a_worker_thread_may_ask_and_is_answered_with_the_documents_lock(fresh, monkeypatch):
@@ -161,28 +158,26 @@ def test_a_worker_thread_may_ask_and_is_answered_with_the_documents_lock(fresh, 
             await asyncio.sleep(0.01)
         told.append(len(told))
         await asyncio.to_thread(page.callbacks.pop(0))
-        await page.ticks(1)
 
-    assert settle(monkeypatch, Here(), act) == [FULL, REFINED]
+    assert settle(monkeypatch, Here(), act) == [FULL]
     assert told == [COARSE, 1]
 
 
-def test_only_edges_are_asked_for_where_the_map_is_there(fresh, monkeypatch):
+def test_nothing_is_asked_for_where_the_map_is_there(fresh, monkeypatch):
     async def act(one, page):
         known_map(WINDOW, FULL)
         assert one.detail(WINDOW) is FULL
-        await page.ticks(1)
         page.destroyed(None)
         assert work.withdrawn == []
 
     work = Here()
-    assert settle(monkeypatch, work, act) == [REFINED]
-    assert work.asked == [REFINED]
+    assert settle(monkeypatch, work, act) == []
+    assert work.asked == []
 
 
 def test_without_a_server_everything_is_made_at_once(fresh):
     assert pn.state.curdoc is None
-    assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is REFINED
+    assert Settling(lambda detail: None, Scheduler()).detail(WINDOW) is FULL
 
 
 def look_ahead(monkeypatch, work, windows, ticks):
@@ -194,7 +189,7 @@ def look_ahead(monkeypatch, work, windows, ticks):
         page = Page()
 
         def missing():
-            return [one for one in windows if known_detail(one) is not REFINED]
+            return [one for one in windows if known_detail(one) is not FULL]
 
         def show():
             shown.append(len(missing()))
@@ -212,8 +207,8 @@ def look_ahead(monkeypatch, work, windows, ticks):
 def test_maps_of_pins_are_made_one_after_the_other(fresh, monkeypatch):
     other = replace(WINDOW, spin_speed=2.3456)
     work = Here()
-    assert look_ahead(monkeypatch, work, [WINDOW, other], 4) == [1, 0]
-    assert work.asked == [FULL, REFINED, FULL, REFINED]
+    assert look_ahead(monkeypatch, work, [WINDOW, other], 2) == [1, 0]
+    assert work.asked == [FULL, FULL]
 
 
 def test_a_map_of_a_pin_that_cannot_be_made_does_not_keep_the_next_one_waiting(fresh, monkeypatch):

@@ -179,7 +179,7 @@ def test_a_file_of_a_page_that_has_just_moved_waits_for_the_map_of_another_proce
     assert making() == 0
     text = base64.b64decode(told[-1]["file"]["base64"]).decode("utf-8-sig")
     state = State(**inputs)
-    assert growth_maps.known_detail(window_of(state)) is Detail.REFINED
+    assert growth_maps.known_detail(window_of(state)) is Detail.FULL
     if what == "report":
         assert text.count("<svg") >= 3
         assert "1.375" in text

@@ -17,7 +17,7 @@ WINDOW = {"left": 1.0, "right": 2.0, "low": 0.2, "high": 0.6}
 def make_ahead(page, state):
     """Make what another process would make for the pins."""
     for window in page.later(state):
-        keep(window, Detail.REFINED, floquet_map(window, Detail.REFINED))
+        keep(window, Detail.FULL, floquet_map(window, Detail.FULL))
 
 
 def outline(chart):

@@ -42,11 +42,14 @@ def test_a_window_of_larger_loads_has_edges_of_its_own():
 
 def test_a_finer_map_holds_all_that_a_coarser_one_does():
     window = Window(Model(BASE_CASE), 2.0, 0.0, 0.5 * P, 0.0, 6 * W, P)
-    coarse, full, refined = (floquet_map(window, detail) for detail in Detail)
+    coarse, full = (floquet_map(window, detail) for detail in Detail)
     assert coarse.growth.growth.size < full.growth.growth.size
-    assert full.growth.refined == 0 < refined.growth.refined
-    assert (full.growth.error >= refined.growth.error).all()
-    np.testing.assert_array_equal(full.mask, refined.mask)
+    assert coarse.growth.refined == 0 < full.growth.refined
+    # the slowest loads keep their errors: each of their pixels would take as long as thousands
+    small = full.growth.excitation_frequencies < 0.1 * W
+    known = np.isfinite(full.growth.growth)
+    assert full.growth.error[:, ~small][known[:, ~small]].max() <= 1e-5
+    assert known[:, small].any()
 
 
 @pytest.mark.parametrize("options", [{}, {"kind": "finite elements"}])

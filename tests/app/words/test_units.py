@@ -23,7 +23,7 @@ ROTOR, SCALES = ShaftDisk.from_si(**TABLE_1_SI)
 HERTZ = SCALES.frequency / (2 * math.pi)
 
 
-def table_1(detail=Detail.REFINED, **values):
+def table_1(detail=Detail.FULL, **values):
     state = State()
     state.apply_preset("Table 1, 1000 rpm")
     assert state.change(values) == {}

@@ -33,7 +33,7 @@ SLOW = {
 HELD = {"external_damping": 0.05, "load_type": "follower"}
 
 
-def solved(values, detail=Detail.REFINED):
+def solved(values, detail=Detail.FULL):
     state = State()
     assert state.change(values) == {}
     return state, solve(state, detail)
@@ -96,10 +96,9 @@ def test_growth_too_strong_for_the_map_is_named():
 def test_a_tongue_thinner_than_a_pixel_is_not_nothing():
     thin = {"spin_speed": 1, "lowest_frequency": 5, "highest_frequency": 7, "largest_factor": 0.05}
     for damping, words in ((0.0, "under 0.1\u00a0%"), (0.01, "nothing")):
-        for detail in (Detail.FULL, Detail.REFINED):
-            answer = solved(thin | {"external_damping": damping}, detail)[1].floquet
-            assert answer.unstable_share == 0
-            assert f"Of this window {words} is unstable" in verdict(answer)
+        answer = solved(thin | {"external_damping": damping})[1].floquet
+        assert answer.unstable_share == 0
+        assert f"Of this window {words} is unstable" in verdict(answer)
 
 
 def test_nothing_computed_gives_no_share():
@@ -136,9 +135,7 @@ def test_the_inspector_blames_no_tongue_where_the_whirl_grows_without_pulsation(
 def test_a_coarse_map_is_no_measure_of_bolotin():
     # at rest, follower load: its pixels miss the thin tongues, and Bolotin seemed 750 % too large
     values = {"spin_speed": 0.0, "load_type": "follower"}
-    words = [
-        verdict(solved(values, detail)[1].floquet) for detail in (Detail.COARSE, Detail.REFINED)
-    ]
+    words = [verdict(solved(values, detail)[1].floquet) for detail in (Detail.COARSE, Detail.FULL)]
     assert not [one for one in words if "times as large" in one]
     assert "computed when the sliders rest" in words[0]
     assert "Of this window" in words[1]
@@ -166,7 +163,7 @@ def test_the_verdict_names_one_region_once():
     assert "(0.062 wide)" in words
 
 
-def texts(values, detail=Detail.REFINED):
+def texts(values, detail=Detail.FULL):
     return details(solved(values, detail)[1].floquet)
 
 
