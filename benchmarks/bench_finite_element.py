@@ -7,8 +7,7 @@ freedom, 80 × 80 in first-order form as well (160 × 160 for the boundaries, wh
 K₋ and K₊ are coupled by the spin).
 
 The other tables draw rotors at random from the ranges of the dashboard's sliders and compare the
-reduced elements with all of them: whirl frequencies, growth rates, and the edges of tongues that
-the dashboard draws.
+reduced elements with all of them: whirl frequencies and growth rates.
 """
 
 from __future__ import annotations
@@ -33,15 +32,10 @@ from rotorstab import (
     lumped,
     whirl_frequencies,
 )
-from rotorstab.maps.tongue_outlines import tongue_outlines
-
-EDGE_CYCLES = 60  # largest number of cycles of the fastest whirl in one period of the load
-LOWEST_EDGE = 0.4  # lowest θ/ω_n
 
 POINTS = 101
-ACCURATE = 6  # coordinates against which growth and edges are measured; all would take hours
-STEPS = np.array([3e-4, 1e-3, 3e-3, 1e-2, 3e-2])  # distances from an edge, relative to θ
-GROWS = 1e-6
+ACCURATE = 6  # coordinates against which growth is measured; all would take hours
+GROWS = 1e-6  # growth of a whirl without pulsation, above which its frequency is not compared
 
 
 def boundaries(system: System, buckling: float) -> np.ndarray:
@@ -137,57 +131,6 @@ def growth_errors(cases: list[tuple[ShaftDisk, float, float, float]], points: in
     return np.array(errors)
 
 
-def edge_errors(cases: list[tuple[ShaftDisk, float, float, float]]) -> tuple[np.ndarray, int]:
-    """Return how many edges are right within each of `STEPS`, and beyond; and windows without.
-
-    An edge is right within a step if the accurate system grows that far inside it, or in the
-    middle of a tongue thinner than that, and does not grow that far outside.
-    """
-    counts = np.zeros(len(STEPS) + 1, dtype=int)
-    empty = 0
-    for rotor, spin, tangency, factor in cases:
-        buckling = float(critical_load(rotor.shear))
-        scale = fundamental_frequency(lumped(rotor, 0.0))
-        pieces = tongue_outlines(
-            finite_element(rotor, spin, tangency, modes=MODES),
-            factor * buckling,
-            buckling,
-            LOWEST_EDGE * scale,
-            16 * scale,
-            most_cycles=EDGE_CYCLES,
-        )
-        empty += not pieces
-        loads, edges, middles = [], [], []
-        for piece in pieces:
-            for share in (0.25, 0.5, 1.0):
-                row = int(np.abs(piece.pulsating_loads - share * buckling).argmin())
-                found = piece.left[row], piece.right[row]
-                if abs(piece.pulsating_loads[row] - share * buckling) > 0.01 * buckling or (
-                    found[1] - found[0] < 1e-3 * found[0]
-                ):
-                    continue
-                for side, edge in enumerate(found):
-                    if not piece.borders[side, row]:
-                        loads.append(share * buckling)
-                        edges.append(edge)
-                        middles.append((found[0] + found[1]) / 2)
-        if not edges:
-            continue
-        edge, middle = np.array(edges)[:, None], np.array(middles)[:, None]
-        outward = np.sign(edge - middle)
-        inside = np.where(
-            STEPS * edge < np.abs(edge - middle), edge - outward * STEPS * edge, middle
-        )
-        outside = edge + outward * STEPS * edge
-        accurate = finite_element(rotor, spin, tangency, modes=ACCURATE)
-        load = np.array(loads)[:, None]
-        grows = growth_rate(accurate, factor * buckling, load, np.array([inside, outside])) > GROWS
-        right = grows[0] & ~grows[1]
-        first = np.where(right.any(axis=1), right.argmax(axis=1), len(STEPS))
-        counts += np.bincount(first, minlength=len(STEPS) + 1)
-    return counts, empty
-
-
 def reduction(quick: bool) -> None:
     """Print how far reduced elements are off over the ranges of the sliders."""
     counts = (3, 4, 5, 6, 8)
@@ -205,10 +148,6 @@ def reduction(quick: bool) -> None:
             f"rotor: 95 % {np.quantile(growths, 0.95):.1e}, 99 % {np.quantile(growths, 0.99):.1e}, "
             f"largest {growths.max():.1e}"
         )
-        found, empty = edge_errors(cases[: 2 if quick else 8])
-        print(f"Edges as the dashboard draws them ({empty} windows have none):")
-        for step, number in zip([*(f"{one:g}" for one in STEPS), "more"], found, strict=True):
-            print(f"  within {step:<8}{number:>6}")
 
 
 def main(quick: bool = False) -> None:

@@ -29,11 +29,6 @@ def _threshold(at: Situation) -> float:
     return min(row.threshold for row in at.table) / at.reference
 
 
-def _inside_bolotin_region(at: Situation) -> float:
-    undamped = at.operation.undamped
-    return float(in_bolotin_region(undamped, at.static, at.pulsating, at.frequency))
-
-
 QUANTITIES = (
     Quantity(
         "whirl.<mode>",

@@ -2,5 +2,5 @@
 
 `stability_map` computes growth rates on a grid and `work` how much work that takes; `grid_edges`
 finds the edges of what is unstable between its points, with `thin_tongues` that it does not see;
-`tongue_outlines` has outlines of tongues, `margin` the smallest load that destabilises.
+`margin` computes the smallest load that destabilises.
 """
