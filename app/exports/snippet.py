@@ -102,8 +102,8 @@ point = (
     {state.marker_factor!r} * reference_load,
     {state.marker_frequency!r} * frequency,
 )
-multipliers = floquet_multipliers(system, *point)
-rate = growth_rate(system, *point)
+floquet = floquet_solution(system, *point)
+multipliers, rate = floquet.multipliers, floquet.growth_rate
 start = initial_conditions(system, static_load, {INITIAL_CONDITIONS[state.initial]!r}{seed})
 response = time_response(system, *point, start, {periods}, {found.samples}){end}"""
 
@@ -200,7 +200,7 @@ def _imports(state: State, in_si: bool) -> str:
     if state.model != "lumped":
         names.add("finite_element")
     if state.marker:
-        names |= {"floquet_multipliers", "growth_rate", "initial_conditions", "time_response"}
+        names |= {"floquet_solution", "initial_conditions", "time_response"}
     return "".join(f"    {name},\n" for name in sorted(names))
 
 

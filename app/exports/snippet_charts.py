@@ -98,4 +98,4 @@ def _point(in_si: bool) -> str:
     motion = "response_chart(response)"
     if in_si:
         motion = f"in_seconds({motion}, response.period / scales.frequency)"
-    return f"charts += [{motion}, multiplier_chart(multipliers), orbit_chart(response)]\n"
+    return f"charts += [{motion}, multiplier_chart(floquet), orbit_chart(response)]\n"

@@ -141,7 +141,7 @@ def solve_point(point: Point) -> PointAnswer:
         raise UserError(_TOO_SLOW)
     if not point.periods:
         response = response.until(EDGE)
-    charts = response_chart(response), multiplier_chart(floquet.multipliers), orbit_chart(response)
+    charts = response_chart(response), multiplier_chart(floquet), orbit_chart(response)
     return PointAnswer(response, floquet, samples, {chart.key: chart for chart in charts})
 
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-import numpy as np
-
-from rotorstab import FloquetSolution, ResonanceTable, is_unstable
+from rotorstab import FloquetSolution, ResonanceTable
 from rotorstab.charts import written
 
 from ..results.analysis import Result
@@ -111,7 +109,7 @@ def describe(
     sentence = (
         f"At {units.excitation(state.marker_frequency)} and {units.factor(state.marker_factor)} "
         f"the rotor is {'unstable' if motion is Motion.GROWS else 'stable'} (Floquet: {pace}); "
-        f"{_multipliers(floquet, period)}. "
+        f"{_multipliers(floquet)}. "
     )
     if result.floquet.table.mean_is_unstable:
         sentence += "The whirl grows without any pulsation, so no tongue is named."
@@ -141,10 +139,9 @@ def _pace(motion: Motion, growth: float, period: float, units: Units) -> tuple[l
     return facts, f"the motion {name.lower()} {pace}"
 
 
-def _multipliers(floquet: FloquetSolution, period: float) -> str:
+def _multipliers(floquet: FloquetSolution) -> str:
     """Return how many multipliers lie outside the unit circle, in words."""
-    rates = np.log(np.abs(floquet.multipliers)) / period
-    outside = int(is_unstable(rates, floquet.error).sum())
+    outside = int(floquet.growing.sum())
     verb = "multipliers lie" if outside > 1 else "multiplier lies"
     return f"{outside or 'no'} {verb} outside the unit circle"
 

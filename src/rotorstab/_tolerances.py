@@ -93,6 +93,14 @@ It separates the rounding of simple eigenvalues, 1e-12 at most, from flutter, bu
 damping, which grow faster by orders of magnitude as soon as their limit is passed.
 """
 
+TRUE_PART_OF_BOUND = 0.5
+"""Part of the error bound of an interpolated growth rate that the edges of a chart take for error.
+
+The bound allows for four times the errors of the coefficients that were measured, and where two
+multipliers meet, the error of the growth rate is the square root of theirs. Edges by the whole
+bound would lie inside the tongues.
+"""
+
 VISIBLE_GROWTH = 1e-6
 """Growth rate σ̄ above which an undamped rotor counts as unstable in margins and thresholds.
 
@@ -123,13 +131,6 @@ ON_UNIT_CIRCLE = 1e-10
 
 A time response over 10,000 periods then neither grows nor decays through the error of its
 propagator, 1e-11.
-"""
-
-OUTSIDE_UNIT_CIRCLE = 1e-6
-"""Distance |μ| − 1 above which a multiplier is shown as growing.
-
-It is larger than `ON_UNIT_CIRCLE`, for here each multiplier counts, not only the largest: two that
-are about to collide have errors of 1e-7.
 """
 
 UNCERTAIN_PIXEL = 1e-5

@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from rotorstab import BASE_CASE, campbell_diagram, critical_speeds, lumped
+from rotorstab import BASE_CASE, campbell_diagram, critical_speeds, floquet_solution, lumped
 from rotorstab.charts import campbell_chart, multiplier_chart
 from rotorstab.paper import figure_2, own_regions
 
@@ -43,7 +43,9 @@ def test_a_chart_plots_itself_with_a_title_and_a_legend(chart):
 
 def test_a_chart_without_groups_of_lines_and_a_square_one_plot_themselves():
     hv = pytest.importorskip("holoviews")
-    figure = hv.render(multiplier_chart(np.exp(1j * np.arange(4.0))).plot(), backend="bokeh")
+    figure = hv.render(
+        multiplier_chart(floquet_solution(SYSTEM, 1.0, 0.1, 1.3)).plot(), backend="bokeh"
+    )
     assert figure.width == figure.height
 
 

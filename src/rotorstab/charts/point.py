@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from .._tolerances import OUTSIDE_UNIT_CIRCLE
-from .._types import Complex
+from ..floquet.point import FloquetSolution
 from ..floquet.response import TimeResponse
 from .columns import Lines, points_layer
 from .quantities import EXCITATION, WHIRL, Amount, Quantity, Wording
@@ -34,19 +33,20 @@ def _nice(largest: float) -> float:
     return float(power * _NICE[np.searchsorted(_NICE, largest / power * (1 - 1e-12))])
 
 
-def multiplier_chart(multipliers: Complex) -> Chart:
+def multiplier_chart(floquet: FloquetSolution) -> Chart:
     """Return the Floquet multipliers in the complex plane, with the unit circle and −1.
 
     Parameters
     ----------
-    multipliers : (2n,) complex
+    floquet : FloquetSolution
+        At one point.
     """
-    shown = multipliers[np.isfinite(multipliers)]
+    finite = np.isfinite(floquet.multipliers)
+    shown, grows = floquet.multipliers[finite], floquet.growing[finite]
     reach = _nice(max(1.3, 1.12 * float(np.abs(shown).max(initial=0.0))))
     lines = Lines()
     lines.add(np.cos(_CIRCLE), np.sin(_CIRCLE), "unit circle, |μ| = 1", "unit circle")
     rows = [(μ.real, μ.imag, f"μ = {μ:.4f}, |μ| = {abs(μ):.6f}".replace("-", "−")) for μ in shown]
-    grows = np.abs(shown) > 1 + OUTSIDE_UNIT_CIRCLE
     out = [row for row, outside in zip(rows, grows, strict=True) if outside]
     within = [row for row, outside in zip(rows, grows, strict=True) if not outside]
     return Chart(

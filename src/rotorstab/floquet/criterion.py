@@ -1,13 +1,18 @@
-"""What counts as unstable: the one criterion of points, charts and outlines."""
+"""What counts as unstable: the one criterion of points, multipliers, charts, margins and outlines.
+
+`is_unstable` decides wherever a growth rate is known with its error. On charts the growth rates are
+interpolated, and `is_unstable_on_chart` says how far their error bounds count. Whirls without
+pulsation have the criterion `mean_is_unstable`.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
-from .._tolerances import SMALLEST_GROWTH, UNSTABLE_MEAN
+from .._tolerances import SMALLEST_GROWTH, TRUE_PART_OF_BOUND, UNSTABLE_MEAN
 from .._types import AnyArray, ArrayLike, Mask
 
-__all__ = ["grows_or_decays", "is_unstable", "mean_is_unstable"]
+__all__ = ["grows_or_decays", "is_unstable", "is_unstable_on_chart", "mean_is_unstable"]
 
 
 def is_unstable(growth: ArrayLike, error: ArrayLike) -> Mask:
@@ -30,6 +35,34 @@ def is_unstable(growth: ArrayLike, error: ArrayLike) -> Mask:
     [False, True, False]
     """
     return np.asarray(np.greater(growth, np.maximum(error, SMALLEST_GROWTH)))
+
+
+def is_unstable_on_chart(growth: ArrayLike, bound: ArrayLike, damped: bool) -> Mask:
+    """Tell at which points of a chart an interpolated growth rate counts as growth.
+
+    Parameters
+    ----------
+    growth, bound : (...) float
+        σ̄ and the cautious bound on its error [√(EI/(ρAL⁴))], which broadcast; NaN counts as stable.
+    damped : bool
+        Whether the rotor is damped. With damping the growth rate passes 0 at an edge, and an error
+        moves the edge by no more than it moves the growth rate: there the bound does not count.
+        Without damping growth is exactly 0 outside of the tongues, and rounding alone may lift it.
+
+    Returns
+    -------
+    (...) bool
+
+    Examples
+    --------
+    >>> growth, bound = [1e-9, 6e-7, 6e-7], [0, 1e-6, 2e-6]
+    >>> is_unstable_on_chart(growth, bound, damped=False).tolist()
+    [False, True, False]
+    >>> is_unstable_on_chart(growth, bound, damped=True).tolist()
+    [False, True, True]
+    """
+    part = 0.0 if damped else TRUE_PART_OF_BOUND
+    return is_unstable(growth, part * np.asarray(bound))
 
 
 def grows_or_decays(frequencies: AnyArray) -> Mask:

@@ -32,17 +32,31 @@ class FloquetSolution:
         an error ε of the propagator becomes √ε.
     converged : (...) bool
         Whether the propagator met its tolerance, with no more steps than were allowed.
+    period : (...) float
+        T = 2π/θ̄ [√(ρAL⁴/(EI))].
     """
 
     multipliers: Complex
     growth_rate: Array
     error: Array
     converged: Mask
+    period: Array
 
     @property
     def unstable(self) -> Mask:
-        """Where the growth rate exceeds both its error and 1e-8, (...) bool."""
+        """Where the growth rate exceeds both its error and 1e-8, (...) bool; see `is_unstable`."""
         return is_unstable(self.growth_rate, self.error)
+
+    @property
+    def growing(self) -> Mask:
+        """Which multipliers lie outside the unit circle, (..., 2n) bool.
+
+        The criterion is that of `unstable`, with ln|μ|/T of each multiplier: where a point is
+        stable, no multiplier grows.
+        """
+        with np.errstate(divide="ignore"):
+            rates = np.log(np.abs(self.multipliers)) / self.period[..., None]
+        return is_unstable(rates, self.error[..., None])
 
 
 def floquet_solution(
@@ -109,7 +123,7 @@ def floquet_solution(
     if static.size == 0:
         empty = np.empty(shape)
         return FloquetSolution(
-            np.empty((*shape, 2 * system.size), complex), empty, empty, empty.astype(bool)
+            np.empty((*shape, 2 * system.size), complex), empty, empty, empty.astype(bool), empty
         )
     period = 2 * np.pi / frequency.ravel()
     share = 0.5 if system.is_reversible else 1.0
@@ -123,6 +137,7 @@ def floquet_solution(
         growth.reshape(shape),
         found.error.reshape(shape),
         found.converged.reshape(shape),
+        period.reshape(shape),
     )
     for array in vars(solution).values():
         array.flags.writeable = False

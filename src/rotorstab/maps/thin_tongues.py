@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._types import Array, Mask
-from ..floquet.criterion import is_unstable
+from ..floquet.criterion import is_unstable_on_chart
 from ..floquet.interpolant.chart_interpolant import ChartInterpolant
 from ..floquet.resonance import Resonance, resonances
 from ..floquet.tongues.collision_measure import collision_measure
@@ -133,7 +133,8 @@ def _meetings(interpolant: ChartInterpolant, loads: Array) -> list[list[Interval
             continue  # there are more tongues than columns
         row, period, half = multiplier_collisions(interpolant, index, loads)
         growth, error, _ = interpolant.at_points(index, loads[row], period, with_approach=True)
-        sure = is_unstable(growth, error / 2)
+        # a line, which has no width, needs growth beyond the error also with damping
+        sure = is_unstable_on_chart(growth, error, damped=False)
         for r, T, h in zip(row[sure], period[sure], half[sure], strict=True):
             rows[r].append(Interval(float(2 * np.pi / (T + h)), float(2 * np.pi / max(T - h, h))))
     return [list(_apart(sorted(row))) for row in rows]

@@ -14,7 +14,7 @@ from app.results.limits import Detail
 from app.state import State
 from app.words.units import Units
 from app.words.verdict import verdict
-from rotorstab import TABLE_1_SI, ShaftDisk
+from rotorstab import BASE_CASE, TABLE_1_SI, ShaftDisk, floquet_solution, lumped
 from rotorstab.charts import chart_factors, chart_figure, in_si, multiplier_chart, written
 from rotorstab.drawing import screen
 from rotorstab.drawing.tables import figure_csv
@@ -112,7 +112,7 @@ def test_growth_per_period_is_left_as_it_is():
 def test_conversion_happens_once_and_only_where_there_are_dimensions(result):
     si = both(result, "campbell")[1]
     assert in_si(si, SCALES, 1.0, 1.0) is si
-    circle = multiplier_chart(np.array([1.0 + 0j]))
+    circle = multiplier_chart(floquet_solution(lumped(BASE_CASE, 2.0), 1.0, 0.1, 1.3))
     assert in_si(circle, SCALES, 1.0, 1.0) is circle
 
 

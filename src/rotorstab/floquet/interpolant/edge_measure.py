@@ -11,13 +11,10 @@ import numpy as np
 
 from ..._numerics.angles import wrapped
 from ..._types import Array, Complex
-from ..criterion import is_unstable
+from ..criterion import is_unstable_on_chart
 
 __all__ = ["edge_of_approach", "edge_of_multipliers", "with_verdict"]
 
-# The bound on the error of a growth rate is four times what is measured; where two multipliers
-# meet, growth is the square root of what the error of the coefficients is.
-_PART_OF_BOUND = 0.5
 _SMALLEST = 1e-280  # modulus that stands for a multiplier that has decayed to 0
 
 
@@ -90,11 +87,9 @@ def edge_of_multipliers(multipliers: Complex, shift: Array | float, damped: bool
 def with_verdict(smooth: Array, growth: Array, error: Array, damped: bool) -> Array:
     """Return an edge function with the sign of the verdict; NaN where the growth is.
 
-    Without damping rounding may lift it above 0 where two multipliers only pass each other. With
-    damping the growth rate passes 0 at an edge, and its sign decides: the bound on its error is a
-    cautious one, by which the edges would be moved.
+    Without damping rounding may lift it above 0 where two multipliers only pass each other.
     """
-    grows = growth > 0 if damped else is_unstable(growth, _PART_OF_BOUND * error)
+    grows = is_unstable_on_chart(growth, error, damped)
     inside = np.where(smooth > 0, smooth, growth * growth)
     edge = np.where(grows, inside, -np.abs(smooth))
     return np.where(np.isfinite(growth), edge, np.nan)

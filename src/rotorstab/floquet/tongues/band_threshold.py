@@ -134,7 +134,7 @@ def lowest_threshold(plane: Plane, band: Band, largest: float) -> Threshold:
     if rows:
         theta = np.array([row.centre for row in rows])
         load = np.array([row.threshold for row in rows])
-        if plane.growth_counted == 0:
+        if plane.decays:
             theta, load = refined_thresholds(plane, theta, load)
         inside = (theta >= low) & (theta <= high) & (load <= largest)
         best = min(_listed(load[inside], theta[inside]), default=best)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..._tolerances import VISIBLE_GROWTH
+from ..._tolerances import SMALLEST_GROWTH, VISIBLE_GROWTH
 from ..._types import Array
 from ...model.system import System
 from ..point import floquet_solution
@@ -42,6 +42,11 @@ class Plane:
         return max(-self.table.mean_growth, 0.0)
 
     @property
+    def decays(self) -> bool:
+        """Whether the rotor decays without pulsation, so that each tongue has a lowest point."""
+        return self.decay >= VISIBLE_GROWTH
+
+    @property
     def strength(self) -> float:
         """Largest √|g| of the table: the rate per unit load at which the load couples modes."""
         return float(max(abs(row.coupling) for row in self.table) ** 0.5)
@@ -60,9 +65,9 @@ class Plane:
     def growth_counted(self) -> float:
         """Growth above which a point counts as unstable [√(EI/(ρAL⁴))].
 
-        It is 0 where the rotor without pulsation decays faster than `VISIBLE_GROWTH`.
+        It is that of single points where the rotor decays without pulsation.
         """
-        return VISIBLE_GROWTH if self.decay < VISIBLE_GROWTH else 0.0
+        return SMALLEST_GROWTH if self.decays else VISIBLE_GROWTH
 
     def sample(self, load: Array, frequency: Array) -> tuple[Array, Array]:
         """Return how far points exceed the limit of stability, and how close pairs are.

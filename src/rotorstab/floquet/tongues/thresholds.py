@@ -72,7 +72,7 @@ class _Quadratic(NamedTuple):
 def refined_thresholds(plane: Plane, frequency: Array, load: Array) -> tuple[Array, Array]:
     """Return frequencies and loads (K,) of the thresholds of damped tongues near some points.
 
-    There the growth and ∂growth/∂θ̄ are 0. NaN where there is no threshold.
+    There the excess and ∂growth/∂θ̄ are 0. NaN where there is no threshold.
     """
     theta, p = np.where(load < plane.limit, frequency, np.nan), load.copy()
     near = plane.sample(np.minimum(p, 0.99 * plane.limit), frequency)[1]
@@ -165,13 +165,13 @@ def descended_thresholds(plane: Plane, frequency: Array, load: Array) -> tuple[A
         lambda p, i: ridges.at(p, i)[1],
         load,
         np.zeros_like(load),
-        _RIDGE_TOLERANCE if plane.growth_counted == 0 else _FINAL_RIDGE_TOLERANCE,
+        _RIDGE_TOLERANCE if plane.decays else _FINAL_RIDGE_TOLERANCE,
     )
     found = np.flatnonzero(np.isfinite(lowest))
     theta = np.full_like(load, np.nan)
     if found.size:
         theta[found], _ = ridges.at(lowest[found], found)
-    if plane.growth_counted > 0 or not found.size:
+    if not plane.decays or not found.size:
         return theta, lowest
     exact, p = (np.full_like(load, np.nan) for _ in range(2))
     exact[found], p[found] = refined_thresholds(plane, theta[found], lowest[found])
