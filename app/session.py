@@ -119,7 +119,7 @@ class Session:
             content = self._start(reply)
         except Exception:
             _LOG.exception("a message of type %r failed", kind)
-            reply, content = Reply(), {"told": "this could not be done: try it once more"}
+            reply, content = Reply(), {"toast": "this could not be done: try it once more"}
         # a change is one step of many: the full picture comes when the browser says so
         at_rest = kind not in ("change", "window")
         full = at_rest or self._leaves_the_map(message)
@@ -145,7 +145,7 @@ class Session:
             busy = "files are still being made: wait for one, then ask again"
             # a figure's place on the page says it too
             place = {"not_drawn": f"This figure is not drawn yet: {busy}."}
-            return Reply({"told": busy, **(place if kind == "figure" else {})})
+            return Reply({"toast": busy, **(place if kind == "figure" else {})})
         if kind in self._handlers:
             return self._handlers[kind](message)
         takers = (page for page in self.pages.values() if kind in page.takes)
@@ -178,7 +178,7 @@ class Session:
         try:
             cells = python_cells(self.state)
         except ValueError as error:
-            return Reply({"told": user_message(error)})
+            return Reply({"toast": user_message(error)})
         return Reply({"python": {"py": program_text(cells), "ipynb": notebook_text(cells)}})
 
     def _describe(self, errors: Mapping[str, str], at_rest: bool = True) -> dict[str, Any]:

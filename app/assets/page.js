@@ -279,7 +279,7 @@
   let telling = 0;
   function tell(words) {
     // an open dialog covers the page, so it has its own place for messages
-    const place = document.querySelector(dialog().open ? "dialog .told" : ".toast");
+    const place = document.querySelector(dialog().open ? "dialog .dialog-toast" : ".toast");
     hush();
     place.textContent = words;
     place.hidden = !words;
@@ -287,7 +287,7 @@
   }
   function hush() {
     clearTimeout(telling);
-    for (const place of document.querySelectorAll(".toast, dialog .told")) place.hidden = true;
+    for (const place of document.querySelectorAll(".toast, .dialog-toast")) place.hidden = true;
   }
 
   // -- copying: where the browser does not allow it, the text is selected in a dialog ----
@@ -373,7 +373,7 @@
     page.inspector.answer(data);
     page.units.answer(data);
     if (data.python) offer("This view as Python", data.python.py, data.python);
-    if (data.told !== undefined) tell(data.told);
+    if (data.toast !== undefined) tell(data.toast);
     page.history.answer(data);
     if (!data.values) return;
     const notes = [data.notice, data.address_notice, page.rigid !== false ? "" : "No rigid body has Ī_P > 2 Ī_D: such a disk cannot exist."].filter(Boolean);

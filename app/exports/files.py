@@ -140,7 +140,7 @@ class Files:
                 # a server that ends cancels the future: that is no fault
                 if not isinstance(problem, CancelledError):
                     _LOG.error("a file was not made", exc_info=problem)
-                message = {**failure, "told": failure_message(problem)}
+                message = {**failure, "toast": failure_message(problem)}
             self._forget(ticket)
             self._send(message)
 
@@ -162,7 +162,7 @@ class Files:
 def file_message(name: str, mime: str, data: bytes) -> dict[str, Any]:
     """Return a file in the form that the browser saves."""
     return {
-        "told": f"{name} is ready",
+        "toast": f"{name} is ready",
         "file": {"name": name, "mime": mime, "base64": b64encode(data).decode()},
     }
 
@@ -187,13 +187,13 @@ def export(page: Page, state: State, message: Mapping[str, Any], query: str = ""
     """
     kind, chart, number = (message.get(key) for key in ("format", "chart", "number"))
     if not isinstance(kind, str) or kind not in FORMATS:
-        return Reply({"told": "no such file format"})
+        return Reply({"toast": "no such file format"})
     if isinstance(chart, str) and chart in page.charts:
         link = view_link(message.get("at"), query)
         return _export_chart(page, state, chart, kind, link)
     if is_figure(number):
         return _export_figure(state, number, message.get("floquet") is True, kind, message)
-    return Reply({"told": "no such chart"})
+    return Reply({"toast": "no such chart"})
 
 
 def prepared(page: Page, state: State, answer: Callable[[], Reply]) -> Reply:
@@ -206,7 +206,7 @@ def prepared(page: Page, state: State, answer: Callable[[], Reply]) -> Reply:
 
 def making_message(name: str) -> dict[str, str]:
     """Return what the user is told while a file is being made."""
-    return {"told": f"making {name} …"}
+    return {"toast": f"making {name} …"}
 
 
 def _export_chart(page: Page, owner: State, chart: str, kind: str, link: str) -> Reply:
@@ -218,9 +218,9 @@ def _export_chart(page: Page, owner: State, chart: str, kind: str, link: str) ->
         try:
             drawn = page.compute(state).get(chart)
         except ValueError as error:
-            return Reply({"told": user_message(error)})
+            return Reply({"toast": user_message(error)})
         if drawn is None:  # the inspector's, after its marker is gone
-            return Reply({"told": "no such chart"})
+            return Reply({"toast": "no such chart"})
         if kind in PICTURE_FORMATS:
             drawn = as_seen({chart: drawn}, page, state, seen)[chart]
         else:
@@ -261,7 +261,7 @@ def report(explore: Page, owner: State, query: str, message: Mapping[str, Any]) 
             charts = page.compute(state)
             content = page.answer(state)
         except ValueError as error:
-            return Reply({"told": user_message(error)})
+            return Reply({"toast": user_message(error)})
         pictures = {
             charts[key].title: _print_part(charts[key], page, state, owner) for key in CHARTS
         }

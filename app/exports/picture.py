@@ -32,7 +32,7 @@ def picture(explore: Page, owner: State, query: str, message: Mapping[str, Any])
     """Return the answer to a request for a picture of the whole Explore view."""
     kind = message.get("format")
     if not isinstance(kind, str) or kind not in PICTURE_FORMATS:
-        return Reply({"told": "no such file format"})
+        return Reply({"toast": "no such file format"})
     name = f"rotorstab.{kind}"
     page, state = snapshot(explore, owner)
     seen = zooms(explore)
@@ -42,7 +42,7 @@ def picture(explore: Page, owner: State, query: str, message: Mapping[str, Any])
         try:
             sheet = view_sheet(page, state, link, seen)
         except ValueError as error:
-            return Reply({"told": user_message(error)})
+            return Reply({"toast": user_message(error)})
         cache_key = ("picture", link, tuple(seen.items()), *page.cache_key())
         file: Future[bytes] = printer.file(cache_key, sheet, kind, owner)
         mime = PICTURE_FORMATS[kind].mime

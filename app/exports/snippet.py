@@ -218,7 +218,7 @@ def _instability(state: State, result: Result, undamped: str) -> str:
     rows, columns, *_ = map_size(model, Detail.FULL)
     options = _arguments(**chart_options(model, Detail.FULL))
     largest = "largest_load"
-    if math.isfinite(result.floquet.ends_at):  # the exact law ends inside the chart
+    if math.isfinite(result.floquet.largest_computed_factor):  # the exact law ends inside the chart
         largest = f"min({largest}, system.largest_load - static_load)"
     return f"""\
 # Bolotin's boundaries: bolotin.frequency / frequency over bolotin.pulsating_load / reference_load

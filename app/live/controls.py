@@ -154,7 +154,7 @@ class Controls(pn.custom.JSComponent):
                 answer = self._respond(data)
             except Exception:
                 _LOG.exception("a message could not be answered")
-                answer = {"told": "the server could not use this message"}
+                answer = {"toast": "the server could not use this message"}
             self.send(answer | number)
         observe("update", perf_counter() - began)
 

@@ -179,7 +179,7 @@ class Lessons(Page):
         key, index = message.get("lesson"), message.get("step")
         lesson = library().lessons.get(key) if isinstance(key, str) else None
         if lesson is None:
-            return Reply({"lesson": None, "told": "There is no such lesson on this server."})
+            return Reply({"lesson": None, "toast": "There is no such lesson on this server."})
         if self._running is None and not message.get("keep"):
             self._before = state.inputs()
         last = len(lesson.steps) - 1
@@ -191,7 +191,7 @@ class Lessons(Page):
             state.change(step.after if message.get("done") else step.before)
         answer: dict[str, Any] = {"lesson": describe(*self._running)}
         if asked > last:
-            answer["told"] = f"This lesson has {last + 1} steps: this is the last one."
+            answer["toast"] = f"This lesson has {last + 1} steps: this is the last one."
         return Reply(answer, reset_view=not message.get("keep"))
 
     def _grade(self, step: Step, value: Any, state: State) -> dict[str, Any]:

@@ -40,11 +40,11 @@ class PinList:
         try:
             made = pin(state, name, self.inputs())
         except ValueError as error:
-            return Reply({"told": user_message(error)})
+            return Reply({"toast": user_message(error)})
         if made is None:
-            return Reply({"told": f"at most {MOST_PINS} pins: remove one first"})
+            return Reply({"toast": f"at most {MOST_PINS} pins: remove one first"})
         self._add(made)
-        return Reply({"told": f"{made.name} was added"})
+        return Reply({"toast": f"{made.name} was added"})
 
     def remove(self, number: object) -> None:
         """Remove the pin of a number, if there is one."""

@@ -24,7 +24,7 @@ def save_rotor_file(state: State) -> Reply:
     data = b64encode(write_rotor_file(state).encode()).decode()
     name = "rotor.toml"
     file = {"name": name, "mime": "application/toml", "base64": data}
-    return Reply({"file": file, "told": f"{name} is ready", "shaft_error": ""})
+    return Reply({"file": file, "toast": f"{name} is ready", "shaft_error": ""})
 
 
 def open_rotor_file(text: object, state: State) -> Reply:
@@ -32,9 +32,9 @@ def open_rotor_file(text: object, state: State) -> Reply:
     try:
         values, left_out = read_rotor_file(text if isinstance(text, str) else "")
     except UserError as error:
-        return Reply({"shaft_error": str(error), "told": "the rotor file was refused"})
+        return Reply({"shaft_error": str(error), "toast": "the rotor file was refused"})
     state.change(values)
     if left_out:
         notice = f"The rotor was taken, but not {'; '.join(left_out)}."
-        return Reply({"shaft_notice": notice, "told": "the rotor file was taken in part"})
-    return Reply({"shaft_error": "", "told": "the rotor file is open"})
+        return Reply({"shaft_notice": notice, "toast": "the rotor file was taken in part"})
+    return Reply({"shaft_error": "", "toast": "the rotor file is open"})

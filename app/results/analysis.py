@@ -107,9 +107,9 @@ def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None
     made = known_map(_window(inputs, view), detail)
     seen = view or home_view(inputs)
     table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
-    ends_at = (system.largest_load - static) / reference
+    end_of_law = (system.largest_load - static) / reference
     charts = (
-        _instability_chart(inputs, made, table, ends_at, seen, detail),
+        _instability_chart(inputs, made, table, end_of_law, seen, detail),
         *(whirl_chart(key, operation, inputs["stiffness"]) for key in WHIRL_CHARTS),
     )
     return Result(
@@ -123,7 +123,7 @@ def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None
             reference=reference,
             frequency_range=(seen.left, seen.right),
             largest_factor=seen.high,
-            ends_at=ends_at,
+            end_of_law=end_of_law,
         ),
     )
 
@@ -136,14 +136,14 @@ def _instability_chart(
     inputs: Mapping[str, Any],
     made: FloquetMap,
     table: ResonanceTable,
-    ends_at: float,
+    end_of_law: float,
     seen: View,
     detail: Detail,
 ) -> Chart:
     operation: Operation = inputs["operation"]
     frequency, reference = operation.fundamental_frequency, operation.reference_load
     top = seen.high
-    largest = operation.pulsating_load(min(top, ends_at))
+    largest = operation.pulsating_load(min(top, end_of_law))
     grid = GrowthGrid(
         made.growth.growth,
         made.growth.unstable,
@@ -165,21 +165,21 @@ def _instability_chart(
         (seen.low, top),
         grid,
         [(row.centre / frequency, row.name) for row in table.tongues],
-        _blanks(seen, drawn_from, min(max(ends_at, seen.low), top), detail),
+        _blanks(seen, drawn_from, min(max(end_of_law, seen.low), top), detail),
     )
 
 
 def _blanks(
-    seen: View, drawn_from: float, ends_at: float, detail: Detail
+    seen: View, drawn_from: float, end_of_law: float, detail: Detail
 ) -> list[tuple[tuple[float, float, float, float], str]]:
     """Return the parts of the instability chart that are not computed, and why."""
     found = []
-    if ends_at < seen.high:
-        box = (seen.left, seen.right, ends_at, seen.high)
+    if end_of_law < seen.high:
+        box = (seen.left, seen.right, end_of_law, seen.high)
         found.append((box, "beyond the exact stiffness law"))
-    if drawn_from > seen.left and ends_at > seen.low:
+    if drawn_from > seen.left and end_of_law > seen.low:
         reason = "computed at rest" if detail is Detail.COARSE else _TOO_SLOW
-        found.append(((seen.left, drawn_from, seen.low, ends_at), reason))
+        found.append(((seen.left, drawn_from, seen.low, end_of_law), reason))
     return found
 
 

@@ -38,14 +38,14 @@ class FloquetAnswer:
         Lowest β_d of an unstable pixel, inf where there is none.
     detail : Detail
         Of the growth map: on a coarse one thin tongues have no true area.
-    followed_from : float
+    lowest_computed_ratio : float
         θ/ω_n below which the map is blank, since the load is too slow to be followed; 0 where no
         part is blank for that reason.
     drawn_from : float
         θ/ω_n below which tongues are too near to each other to be drawn, or nothing is computed; 0
         where the whole window is drawn, inf where nothing is.
-    ends_at : float
-        β_d above which the map is blank, since the exact law ends; inf where it does not.
+    largest_computed_factor : float
+        β_d above which the map is blank, since the stiffness law ends; inf where it does not.
     unknown_share : float
         Share of the other pixels that are blank: the growth within a period is too strong there.
     has_tongues : bool
@@ -61,9 +61,9 @@ class FloquetAnswer:
     both_share: float
     unstable_from: float = math.inf
     detail: Detail = Detail.FULL
-    followed_from: float = 0.0
+    lowest_computed_ratio: float = 0.0
     drawn_from: float = 0.0
-    ends_at: float = math.inf
+    largest_computed_factor: float = math.inf
     unknown_share: float = 0.0
     has_tongues: bool = False
 
@@ -77,7 +77,7 @@ def floquet_answer(
     reference: float,
     frequency_range: tuple[float, float],
     largest_factor: float,
-    ends_at: float,
+    end_of_law: float,
 ) -> FloquetAnswer:
     """Return what a growth map says.
 
@@ -94,8 +94,8 @@ def floquet_answer(
         Lowest and highest θ/ω_n of the window.
     largest_factor : float
         Largest β_d of the window.
-    ends_at : float
-        β_d at which the exact stiffness law ends; inf for the linear law.
+    end_of_law : float
+        β_d at which the stiffness law ends; inf for the linear law.
     """
     growth = made.growth
     low, high = frequency_range
@@ -111,15 +111,15 @@ def floquet_answer(
         reference_load=reference,
         **_shares(growth, made.mask, reference),
         detail=detail,
-        followed_from=_followed_from(growth, fundamental),
+        lowest_computed_ratio=_lowest_computed_ratio(growth, fundamental),
         drawn_from=made.drawn_from / fundamental,
-        ends_at=ends_at if ends_at < largest_factor else math.inf,
+        largest_computed_factor=end_of_law if end_of_law < largest_factor else math.inf,
         unknown_share=_unknown_share(growth),
         has_tongues=has_thin or has_first_order,
     )
 
 
-def _followed_from(growth: StabilityChart, fundamental_frequency: float) -> float:
+def _lowest_computed_ratio(growth: StabilityChart, fundamental_frequency: float) -> float:
     """Return the lowest θ/ω_n that the map shows, inf if it shows none, 0 if no column is blank."""
     known = np.isfinite(growth.growth).any(axis=0)
     if known.all():

@@ -89,11 +89,14 @@ MOST_WORK = {
 }
 """Largest sum of these cycles over the columns of a map, divided by the number of columns, by how
 it is made and whether the model is damped: a full map then takes some seconds at most."""
-COARSE_CYCLES, COARSE_SHARE, COARSE_WORK = 20, 0.9, 0.75
-"""Limits of a coarse map. Its slowest columns take as long as all others, and wait for the full
-map: those with more than `COARSE_CYCLES` cycles, but at most 1 − `COARSE_SHARE` of all columns. It
-may take the share `COARSE_WORK` of `MOST_WORK`."""
-MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000, Detail.FULL: 2_000_000}
+COARSE_CYCLES = 20
+"""Number of these cycles above which a column of a coarse map waits for the full map: the slowest
+columns take as long as all others."""
+COARSE_SHARE = 0.9
+"""Least share of the columns that a coarse map has, whatever their number of cycles."""
+COARSE_WORK = 0.75
+"""Share of `MOST_WORK` that a coarse map may take."""
+MOST_NODES = {Detail.COARSE: 60_000, Detail.FULL: 2_000_000}
 """Largest sum of nodes times steps of a map, 0.1 s or some 4 s of work (`columns_within_work`)."""
 COARSE_NODES_OF_ELEMENTS = 35_000
 """The same on a coarse map of finite elements, whose steps take twice as long."""
@@ -101,8 +104,9 @@ COARSE_NODES_OF_ELEMENTS = 35_000
 MOST_STEPS = {"lumped": 5000, "finite elements": 2400}
 """Largest number of steps in one period of the load in the marked point, by kind of model: 0.1 s of
 work for the multipliers, and as much for the motion."""
-LAW_STEPS, LAW_HARMONICS = 2400, 40
-"""As `MOST_STEPS`, for a law that is not linear; a step costs twice as much with `LAW_HARMONICS`
-harmonics of the stiffness."""
+LAW_STEPS = 2400
+"""As `MOST_STEPS`, for a law that is not linear and has few harmonics of the stiffness."""
+LAW_HARMONICS = 40
+"""Number of harmonics of the stiffness with which a step costs twice as much as with none."""
 MOST_SAMPLES = 6000
 """Largest number of samples of the response in the marked point; more would slow the page."""

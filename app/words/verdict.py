@@ -17,7 +17,7 @@ __all__ = ["blank_parts", "percent", "smallest_load", "verdict"]
 _MOST = 6  # regions named in one sentence
 _BELOW_THRESHOLD = 0.9  # part of the first-order threshold below which growth contradicts it
 _LARGER = 1.05  # ratio of two areas above which one is called larger
-_SLIVER = 0.02  # share of the window that may be blank without a word
+_UNREPORTED_BLANK = 0.02  # share of the window that may be blank without being reported
 _MISSED = 0.001  # share of what is unstable that may lie outside Bolotin's regions without a word
 
 
@@ -113,26 +113,30 @@ def _comparison(answer: FloquetAnswer, bolotin_shown: bool) -> str:
 
 
 def _is_slow(answer: FloquetAnswer) -> bool:
-    """Whether the map is blank for the slowest loads, in more than a sliver of the window."""
+    """Whether the map is blank for the slowest loads, in a part of the window that is reported."""
     low, high = answer.frequency_range
-    return answer.followed_from > low + _SLIVER * (high - low)
+    return answer.lowest_computed_ratio > low + _UNREPORTED_BLANK * (high - low)
 
 
 def _is_part(answer: FloquetAnswer) -> bool:
-    """Whether more than a sliver of the window is blank."""
-    return _is_slow(answer) or math.isfinite(answer.ends_at) or answer.unknown_share > _SLIVER
+    """Whether a part of the window is blank that is reported."""
+    return (
+        _is_slow(answer)
+        or math.isfinite(answer.largest_computed_factor)
+        or answer.unknown_share > _UNREPORTED_BLANK
+    )
 
 
 def blank_parts(answer: FloquetAnswer, units: Units) -> str:
-    """Say which part of the window is blank, where that is more than a sliver."""
-    start = answer.followed_from
+    """Say which part of the window is blank, where that is reported."""
+    start = answer.lowest_computed_ratio
     words = ""
-    if math.isfinite(answer.ends_at):
+    if math.isfinite(answer.largest_computed_factor):
         words = (
-            f" Above β_d = {answer.ends_at:.3g} the map is blank: the stiffness law has a pole "
-            "at this load and is not valid above it."
+            f" Above β_d = {answer.largest_computed_factor:.3g} the map is blank: the stiffness "
+            "law has a pole at this load and is not valid above it."
         )
-    if answer.unknown_share > _SLIVER:
+    if answer.unknown_share > _UNREPORTED_BLANK:
         words += (
             f" {percent(answer.unknown_share)} of the map is blank: within one period of the load "
             "the whirl grows too much there for its rate to be known."
@@ -143,7 +147,7 @@ def blank_parts(answer: FloquetAnswer, units: Units) -> str:
             "period holds too many whirl cycles, or too much growth, to compute."
         )
     low, high = answer.frequency_range
-    if answer.drawn_from > max(low, start) + _SLIVER * (high - low):
+    if answer.drawn_from > max(low, start) + _UNREPORTED_BLANK * (high - low):
         words += (
             f" {_below(answer, answer.drawn_from, units)} (dotted) outlines are left out or "
             "rough: tongues of high order stand closer together there than the chart can show; "

@@ -770,5 +770,5 @@ def test_the_page_hears_that_a_figure_is_not_drawn(monkeypatch, kind):
     session = Session()
     monkeypatch.setattr(session.files, "full", lambda: True)
     answer = session.respond({"type": kind, "number": 9, "format": "svg"})
-    assert "wait for one" in answer["told"]
+    assert "wait for one" in answer["toast"]
     assert ("wait for one" in answer.get("not_drawn", "")) is (kind == "figure")

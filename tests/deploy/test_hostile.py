@@ -218,13 +218,13 @@ def test_no_window_costs_more_than_a_bounded_number_of_whirl_cycles(monkeypatch,
     columns = size.columns * size.finer + 2
     most = limits.MOST_WORK[limits.POLYNOMIALS, model_of(state).is_damped] * columns
     assert all(one <= most for one in spent)
-    assert answer.followed_from > 0
+    assert answer.lowest_computed_ratio > 0
     assert "the map is blank" in verdict(answer)
 
 
 def test_the_default_window_is_whole():
     result = analysis.solve(State(), detail=Detail.FULL)
-    assert result.floquet.followed_from == 0
+    assert result.floquet.lowest_computed_ratio == 0
     assert "blank" not in verdict(result.floquet)
 
 

@@ -288,7 +288,7 @@ def test_a_running_export_is_finished_before_the_end(real):
         user = User(real.origin)
         await user.open()
         printing = await user.ask(type="export", chart="campbell", format="pdf")
-        assert "making" in printing.content["told"]
+        assert "making" in printing.content["toast"]
         file = asyncio.create_task(user.told(lambda content: "file" in content))
         os.kill(real.process.pid, signal.SIGTERM)
         status, headers, page = await asyncio.to_thread(real.get, "/app")

@@ -1,4 +1,4 @@
-"""What HoloViews has no option for: hover tools, and hooks that finish its Bokeh figures."""
+"""What HoloViews has no option for: hover tools, and hooks that complete its Bokeh figures."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ except ImportError as error:
 from ..charts import Chart
 
 __all__ = [
+    "add_growth_hover",
     "apply_dots",
     "apply_hatch",
     "apply_label_places",
     "apply_line_styles",
     "as_areas",
     "as_patches",
-    "bare_colours",
-    "finish",
     "hover",
     "hover_names",
     "make_square",
     "map_hover",
-    "per_period",
+    "style_axes",
+    "transparent_nan",
 ]
 
 _SHORT_TICKS = """
@@ -144,7 +144,7 @@ def as_areas(plot: Any, _: Any) -> None:
     renderer.update(hover_glyph=None, **states)
 
 
-def finish(plot: Any, _: Any) -> None:
+def style_axes(plot: Any, _: Any) -> None:
     """Set the toolbar, the grounds and the axes, for which HoloViews has no option."""
     figure = plot.state
     figure.toolbar.logo = None
@@ -183,13 +183,13 @@ def make_square(plot: Any, _: Any) -> None:
         axis.formatter = CustomJSTickFormatter(code=_SHORT_TICKS)
 
 
-def bare_colours(plot: Any, _: Any) -> None:
+def transparent_nan(plot: Any, _: Any) -> None:
     """Leave pixels that are not a number transparent."""
     plot.handles["color_mapper"].update(nan_color="rgba(0, 0, 0, 0)")
 
 
-def per_period(plot: Any, _: Any) -> None:
-    """Let the hover give the growth per unit of time and per period of the load."""
+def add_growth_hover(plot: Any, _: Any) -> None:
+    """Let the hover give the growth, per unit of time and per period of the load."""
     words = CustomJSHover(
         args={"source": plot.handles["source"]},
         code="""

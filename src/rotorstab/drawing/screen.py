@@ -24,19 +24,19 @@ from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
 from . import contours
 from .contours import GROWTH_COLOURS
 from .hooks import (
+    add_growth_hover,
     apply_dots,
     apply_hatch,
     apply_label_places,
     apply_line_styles,
     as_areas,
     as_patches,
-    bare_colours,
-    finish,
     hover,
     hover_names,
     make_square,
     map_hover,
-    per_period,
+    style_axes,
+    transparent_nan,
 )
 
 __all__ = [
@@ -152,7 +152,7 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
             clim=(0.0, 1.0),
             alpha=0.0 if growth else 0.4,
             tools=[map_hover(chart)] if growth else [],
-            hooks=[bare_colours, per_period] if growth else [bare_colours],
+            hooks=[transparent_nan, add_growth_hover] if growth else [transparent_nan],
             backend="bokeh",
         )
     )
@@ -277,7 +277,7 @@ def element(chart: Chart) -> hv.Overlay:
             min_height=240,
             toolbar="above",
             default_tools=_TOOLS,
-            hooks=[finish, make_square] if chart.square else [finish],
+            hooks=[style_axes, make_square] if chart.square else [style_axes],
             backend="bokeh",
         )
     )

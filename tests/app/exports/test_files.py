@@ -171,7 +171,7 @@ def test_a_file_of_a_page_that_has_just_moved_waits_for_the_map_of_another_proce
         reply = report(explore, moved.state, moved.query(), {})
     else:
         reply = export(explore, moved.state, {"format": "csv", "chart": "instability"})
-    assert "making" in wanted.start(reply)["told"]
+    assert "making" in wanted.start(reply)["toast"]
     inputs = moved.state.inputs()
     moved.state.spin_speed = 1.5  # it moves on meanwhile: the file is of what was asked for
     page.turn()
@@ -197,7 +197,7 @@ def test_a_figure_with_floquet_is_computed_by_another_process(own, monkeypatch):
     told, page = [], Page()
     wanted = Files(page, told.append, State())
     request = {"format": "json", "number": 8, "floquet": True}
-    assert "making" in wanted.start(export(Paper(), State(), request))["told"]
+    assert "making" in wanted.start(export(Paper(), State(), request))["toast"]
     shown = Paper().handle({"type": "figure", "number": 8, "floquet": True}, State())
     first = wanted.start(shown)["figure"]  # the paper's own, while Floquet's part is computed
     assert (first["number"], first["floquet"], first["waits"]) == (8, True, True)
@@ -222,7 +222,7 @@ def test_the_user_hears_of_a_map_that_cannot_be_made(own, moved, monkeypatch, ca
     request = {"format": "csv", "chart": "instability"}
     wanted.start(export(moved.pages["explore"], moved.state, request))
     page.turn()
-    assert "try again" in told[-1]["told"]
+    assert "try again" in told[-1]["toast"]
     assert making() == 0
     monkeypatch.undo()
 
@@ -236,8 +236,8 @@ def test_the_user_hears_of_a_printer_that_does_not_start(own, session, monkeypat
     told = Queue()
     monkeypatch.setattr(session.controls, "send", told.put)
     answer = session.respond({"type": "export", "format": "pdf", "chart": "campbell"})
-    assert "making" in answer["told"]
-    assert "try again" in told.get(timeout=60)["told"]
+    assert "making" in answer["toast"]
+    assert "try again" in told.get(timeout=60)["toast"]
     monkeypatch.undo()
     monkeypatch.setattr(session.controls, "send", told.put)
     session.respond({"type": "export", "format": "csv", "chart": "campbell"})
@@ -253,7 +253,7 @@ def test_the_user_hears_that_a_state_has_no_answer(session, monkeypatch, kind):
     monkeypatch.setattr(files, "solve", no_answer)
     monkeypatch.setattr("app.pages.explore.solve", no_answer)
     answer = session.respond({"type": kind, "format": "pdf", "chart": "campbell"})
-    assert answer["told"] == "this rotor has no such load"
+    assert answer["toast"] == "this rotor has no such load"
 
 
 def test_a_message_that_fails_is_answered(session, monkeypatch, caplog):
@@ -262,8 +262,8 @@ def test_a_message_that_fails_is_answered(session, monkeypatch, caplog):
 
     monkeypatch.setattr("app.session.export", fail)
     answer = session.respond({"type": "export", "format": "pdf", "chart": "campbell"})
-    assert "could not be done" in answer["told"]
-    assert "inside" not in answer["told"]
+    assert "could not be done" in answer["toast"]
+    assert "inside" not in answer["toast"]
     assert answer["values"] == session.state.inputs()
     assert "a detail of the inside" in caplog.text
 
@@ -299,10 +299,10 @@ def test_a_session_may_wait_for_some_files_only_and_for_one_while_many_wait(desk
     assert bystander.full()
     crowd.close()
     assert not bystander.full()
-    futures[0].set_result({"told": "ready"})
+    futures[0].set_result({"toast": "ready"})
     page.turn()
     assert not wanted.full()
-    assert told == [{"told": "ready"}]
+    assert told == [{"toast": "ready"}]
     wanted.close()
     bystander.close()
 
@@ -341,4 +341,4 @@ def test_the_place_of_a_figure_that_cannot_be_computed_says_so(monkeypatch):
     wanted.start(Paper().handle({"type": "figure", "number": 9, "floquet": True}, State()))
     page.turn()
     assert "could not be computed" in told[-1]["not_drawn"]
-    assert "could not be made" in told[-1]["told"]
+    assert "could not be made" in told[-1]["toast"]

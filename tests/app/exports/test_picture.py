@@ -53,7 +53,7 @@ def view(request):
     assert state.change(STATES[request.param]) == {}
     for speed, name in ((0.5, "slow"), (3.0, "a rather long name of $x")):
         other = State(**state.inputs() | {"spin_speed": speed})
-        assert "was added" in page.handle({"type": "pin", "label": name}, other).content["told"]
+        assert "was added" in page.handle({"type": "pin", "label": name}, other).content["toast"]
     sheet = view_sheet(page, state, f"{AT}?v=1&as=0.5")
     with matplotlib.rc_context(SETTINGS):
         figure = draw_sheet(sheet)
@@ -143,7 +143,7 @@ def test_the_page_sends_the_picture_with_link_and_parameters():
     session.controls.send = told.put
     session.respond({"type": "change", "values": {"spin_speed": 1.25, **MARKED}})
     answer = session.respond({"type": "picture", "format": kind, "at": AT})
-    assert answer["told"] == f"making rotorstab.{kind} …"
+    assert answer["toast"] == f"making rotorstab.{kind} …"
     file = told.get(timeout=120)["file"]
     assert file["name"] == f"rotorstab.{kind}"
     found = metadata(b64decode(file["base64"]), kind)
@@ -167,7 +167,7 @@ def test_each_chart_alone_says_what_made_it(kind, chart):
 
 @pytest.mark.parametrize("kind", ["csv", "gif", 3, None])
 def test_another_format_of_the_picture_is_refused(kind):
-    assert Session().respond({"type": "picture", "format": kind})["told"] == "no such file format"
+    assert Session().respond({"type": "picture", "format": kind})["toast"] == "no such file format"
 
 
 def test_equal_pins_are_named_so():

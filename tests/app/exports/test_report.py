@@ -43,7 +43,7 @@ def made(*messages, **report):
         session.respond(message)
     told = Queue()
     session.controls.send = told.put
-    assert "making" in session.respond({"type": "report", **report})["told"]
+    assert "making" in session.respond({"type": "report", **report})["toast"]
     return b64decode(told.get(timeout=120)["file"]["base64"]).decode()
 
 

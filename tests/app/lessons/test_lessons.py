@@ -414,7 +414,7 @@ def test_an_unknown_lesson_is_told(session):
     for key in ("none", "../x", 5, "", None, True, "x" * 10_000):
         answer = session.respond({"type": "lesson", "lesson": key, "step": 0})
         assert answer["lesson"] is None
-        assert "no such lesson" in answer["told"]
+        assert "no such lesson" in answer["toast"]
 
 
 anything = st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=12)

@@ -254,7 +254,7 @@ def test_removing_the_marker_clears_its_marks(session):
     assert list(data(session, "instability", "marker")["x"]) == [1.68]
     export = {"type": "export", "chart": "orbit", "format": "csv"}
     change(session, marker=False)
-    assert session.respond(export)["told"] == "no such chart"
+    assert session.respond(export)["toast"] == "no such chart"
 
 
 def test_the_address_holds_the_point_and_its_start():
@@ -318,7 +318,7 @@ def test_pins_keep_curves_and_tell_what_differs(session):
     for label in ("", None):
         session.respond({"type": "pin", "label": label})
     answer = session.respond({"type": "pin", "label": "too many"})
-    assert "at most 3" in answer["told"]
+    assert "at most 3" in answer["toast"]
     assert [one["name"] for one in answer["pins"]["names"]] == ["slow one", "Pin B", "Pin C"]
     assert answer["pins"]["full"]
     for number in (1, 2, 3, 9):

@@ -43,7 +43,7 @@ def test_rows_of_the_map_past_the_pole_are_blank():
     static, reference = result.numbers["static_load"], result.numbers["reference"]
     assert static + 2 * reference > pole
     limit = (pole * (1 - MAP_SHORT_OF_POLE) - static) / reference
-    assert result.floquet.ends_at == pytest.approx(limit, rel=1e-12)
+    assert result.floquet.largest_computed_factor == pytest.approx(limit, rel=1e-12)
     chart = result.charts["instability"]
     growth = chart.layer("growth").columns["verdict"][0]
     factor = (np.arange(len(growth)) + 0.5) / len(growth) * 2.0
@@ -97,7 +97,7 @@ def test_a_static_load_that_leaves_no_room_below_the_pole_is_refused_in_words():
     with pytest.raises(ValueError, match=rf"must stay below p̄ = 7\.971, {CLAMPED}.* choose a smal"):
         solve(state, Detail.COARSE)
     assert state.change({"static_load_factor": 0.5}) == {}
-    assert solve(state, Detail.COARSE).floquet.ends_at < 1
+    assert solve(state, Detail.COARSE).floquet.largest_computed_factor < 1
 
 
 def test_a_marker_past_the_pole_is_refused_in_words():
@@ -121,7 +121,7 @@ def test_every_page_export_and_pin_of_such_a_state_has_an_answer():
     ):
         answer = session.respond(message)
         assert answer["notice"] == ""
-        assert "pole" not in answer.get("told", "")
+        assert "pole" not in answer.get("toast", "")
     assert len(session.pages["explore"].pins) == 1
 
 
@@ -132,7 +132,9 @@ def test_a_link_to_a_reference_past_the_pole_says_why():
     link = {"v": "1", "ref": "flutter", "phi": "0.1", "md": "9", "id": "0.02"}
     session = Session({key: [value] for key, value in link.items()})
     assert CLAMPED in session.notice
-    told = [session.respond({"type": kind}).get("told", "") for kind in ("python", "report", "pin")]
+    told = [
+        session.respond({"type": kind}).get("toast", "") for kind in ("python", "report", "pin")
+    ]
     assert all(CLAMPED in one for one in told)
     answer = session.respond({"type": "change", "values": {"reference": "buckling"}})
     assert answer["notice"] == ""

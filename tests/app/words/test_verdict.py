@@ -59,7 +59,7 @@ def test_shares_are_of_the_computed_part():
     columns = disagree.shape[1]
     low, high = answer.frequency_range
     centres = low + (np.arange(columns) + 0.5) / columns * (high - low)
-    known = int((centres >= answer.followed_from - 1e-9).sum())
+    known = int((centres >= answer.lowest_computed_ratio - 1e-9).sum())
     assert 0 < known < columns
     # the share is a whole number of computed pixels
     pixels = answer.unstable_share * known * disagree.shape[0]
