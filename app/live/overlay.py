@@ -48,6 +48,6 @@ def overlay(figure: Any, layer: Layer) -> tuple[ColumnDataSource, GlyphRenderer]
             background_fill_alpha=0.7,
         )
     else:
-        look = dict(screen.POINT_LOOKS[layer.label])
+        look = screen.point_look(layer)
         glyph = Scatter(x="x", y="y", fill_color=look.pop("color"), **look)
     return source, figure.add_glyph(source, glyph)

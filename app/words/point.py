@@ -30,7 +30,6 @@ _FLOQUET_WORDS = {
     Motion.DECAYS: "stable: it decays",
     Motion.NEITHER: "stable",
 }
-_HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which a tongue is named
 
 
 def point_sentence(floquet: FloquetSolution, excitation: float, table: ResonanceTable) -> str:
@@ -61,7 +60,7 @@ def point_sentence(floquet: FloquetSolution, excitation: float, table: Resonance
         return f"Stable: the whirl halves {every} of the load."
     if table.mean_is_unstable:
         return f"Unstable, even without pulsation: the whirl doubles {every} of the load."
-    nearest = table.nearest(excitation, _HIGHEST_ORDER)
+    nearest = table.nearest(excitation)
     words = f"Unstable: the whirl doubles {every} of the load."
     if nearest is None:
         return words

@@ -20,7 +20,7 @@ PARAMETERS = {"Φ (shear)": 0.0013, "name": 'a "b" \\ ü', "speeds": [0.0, 2.0]}
 @pytest.fixture(scope="module")
 def figure():
     paper = FIGURES[2](points=11)
-    return Figure(0, "Títle (1)", "", PARAMETERS, paper.panels, footer="Φ = 0.0013", link=LINK)
+    return Figure(None, "Títle (1)", "", PARAMETERS, paper.panels, footer="Φ = 0.0013", link=LINK)
 
 
 @pytest.mark.parametrize("kind", PICTURE_FORMATS)

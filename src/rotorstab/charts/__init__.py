@@ -1,8 +1,9 @@
 """Charts as data: what every picture shows, before any drawing library.
 
 Read `structure` first (a `Chart` is axes and layers of named columns), then the charts
-(`instability` with `tongues`, `whirl`, `stiffness`, `point`, `pinned`), `si` for their units, and
-`figure` for charts as panels of a figure. The live page, print and tables all see the same arrays.
+(`instability` with `tongues` and `agreement`, `whirl`, `stiffness`, `point`, `pinned`), `si` for
+their units, and `figure` for charts as panels of a figure. The live page, print and tables all see
+the same arrays.
 """
 
 from .figure import Figure, Statement, chart_figure

@@ -132,7 +132,7 @@ def points_layer(
     label: str,
     rows: Sequence[tuple[float, float, str | Wording]],
     group: str | None = None,
-    role: str = "current",
+    role: str = "place",
 ) -> Layer:
     """Return a layer of points from rows (x, y, name).
 
@@ -143,11 +143,11 @@ def points_layer(
     group : str, optional
         Their entry in a printed legend, by default the label.
     role : str
-        A key of `ROLES`, for their look in print.
+        A key of `ROLES`: how they look.
     """
     group = label if group is None else group
     extra = {"role": [role] * len(rows), "group": [group] * len(rows)}
-    return Layer("points", label, mark_columns(rows) | extra)
+    return Layer("points", label, mark_columns(rows) | extra, role=role)
 
 
 def label_columns(rows: Sequence[tuple[float, float, str, str]]) -> dict[str, Sequence[Any]]:

@@ -59,8 +59,8 @@ class Figure:
 
     Parameters
     ----------
-    number : int
-        Of a figure of the paper, 2 to 9; 0 for any other.
+    number : int or None
+        Of a figure of the paper, 2 to 9; None for any other, such as a live chart.
     title, caption : str
         What it shows; the caption names the line styles.
     parameters : mapping
@@ -74,7 +74,7 @@ class Figure:
         Address of the view that it shows, also below the picture; empty where there is none.
     """
 
-    number: int
+    number: int | None
     title: str
     caption: str
     parameters: Mapping[str, Value]
@@ -86,7 +86,7 @@ class Figure:
     @property
     def heading(self) -> str:
         """The title, after the number of a figure of the paper."""
-        return f"Figure {self.number}. {self.title}" if self.number else self.title
+        return self.title if self.number is None else f"Figure {self.number}. {self.title}"
 
     def panel(self, letter: str) -> Chart:
         """Return the panel of that letter."""
@@ -154,6 +154,6 @@ def chart_figure(
     Returns
     -------
     Figure
-        Number 0.
+        Without a number.
     """
-    return Figure(0, chart.title, "", dict(parameters), (chart,), footer=footer, link=link)
+    return Figure(None, chart.title, "", dict(parameters), (chart,), footer=footer, link=link)

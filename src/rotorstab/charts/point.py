@@ -61,9 +61,10 @@ def multiplier_chart(floquet: FloquetSolution) -> Chart:
             points_layer(
                 "minus one",
                 [(-1.0, 0.0, "−1: multiplier of a motion of period 2T (Bolotin’s method)")],
+                role="minus one",
             ),
-            points_layer("multipliers", within),
-            points_layer("growing multipliers", out),
+            points_layer("multipliers", within, role="multiplier"),
+            points_layer("growing multipliers", out, role="growing multiplier"),
         ),
         square=True,
     )
@@ -111,8 +112,8 @@ def orbit_chart(motion: TimeResponse) -> Chart:
         y_range=(-reach, reach),
         layers=(
             Layer("lines", "orbit", lines.columns),
-            points_layer("start", ends[:1]),
-            points_layer("end", ends[1:]),
+            points_layer("start", ends[:1], role="start"),
+            points_layer("end", ends[1:], role="end"),
         ),
         square=True,
     )

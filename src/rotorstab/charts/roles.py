@@ -1,4 +1,4 @@
-"""How the lines of one meaning look; they are never told apart by colour alone."""
+"""How the lines and points of one meaning look; they are never told apart by colour alone."""
 
 from __future__ import annotations
 
@@ -6,16 +6,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-__all__ = ["MARKED", "NEUTRAL", "PRESENT", "ROLES", "STYLES", "UNSTABLE", "Role", "Style"]
+__all__ = ["ROLES", "STYLES", "UNSTABLE", "Role", "Shape", "Style"]
 
 Style = Literal["solid", "dashed", "dashdot", "dotted"]
 STYLES: tuple[Style, ...] = ("solid", "dashed", "dashdot", "dotted")
 """Line styles of the paper's captions, each also the name of a role."""
+Shape = Literal["diamond", "circle", "ring", "triangle", "square", "cross"]
 
 
 @dataclass(frozen=True)
 class Role:
-    """How lines of one meaning look.
+    """How lines or points of one meaning look.
 
     Parameters
     ----------
@@ -31,6 +32,10 @@ class Role:
         The line style in print and in tables.
     si_meaning : str
         The meaning in a chart in SI, where its symbols differ.
+    shape : {"diamond", "circle", "ring", "triangle", "square", "cross"}
+        Of points.
+    size : float
+        Of points, in pixels, for the screen.
     """
 
     color: str
@@ -39,6 +44,8 @@ class Role:
     meaning: str
     style: Style = "solid"
     si_meaning: str = ""
+    shape: Shape = "diamond"
+    size: float = 10.0
 
 
 # Each colour has a contrast of at least 3:1 on the light and on the dark ground, and one meaning on
@@ -86,7 +93,16 @@ ROLES: Mapping[str, Role] = {
         4.0,
         "marked point, and θ̄ between two whirls",
         si_meaning="marked point, and θ/2π between two whirls",
+        shape="ring",
+        size=16.0,
     ),
+    # points alone
+    "place": Role(PRESENT, "solid", 1.8, ""),
+    "multiplier": Role(MARKED, "solid", 1.0, "", shape="circle", size=11.0),
+    "growing multiplier": Role(UNSTABLE, "solid", 1.0, "", shape="triangle", size=14.0),
+    "minus one": Role(NEUTRAL, "solid", 3.0, "", shape="cross", size=14.0),
+    "start": Role(PRESENT, "solid", 1.0, "", shape="circle"),
+    "end": Role(MARKED, "solid", 1.0, "", shape="square", size=9.0),
     "pin 1": Role("#7a6fd8", "3 3", 1.6, "first pin", "dashdot"),
     "pin 2": Role("#96693a", "7 3", 1.6, "second pin", "dashdot"),
     "pin 3": Role("#2f8f8f", "7 3 2 3", 1.6, "third pin", "dashdot"),

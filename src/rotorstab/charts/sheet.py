@@ -53,4 +53,4 @@ class Sheet:
     @property
     def main_figure(self) -> Figure:
         """The charts without those of the marked point, as a figure that has a common legend."""
-        return Figure(0, self.heading, "", self.parameters, self.charts)
+        return Figure(None, self.heading, "", self.parameters, self.charts)

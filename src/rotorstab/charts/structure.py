@@ -112,12 +112,15 @@ class Layer:
         Equal lengths; arrays become read-only, because charts are shared.
     quantity : Quantity, optional
         What the image of a map or the colours of bands show.
+    role : str
+        Of points: the key of `ROLES` of every row, also where there are none; else empty.
     """
 
     kind: str
     label: str
     columns: Mapping[str, Sequence[Any]]
     quantity: Quantity | None = None
+    role: str = ""
 
     def __post_init__(self) -> None:
         """Make the arrays read-only."""

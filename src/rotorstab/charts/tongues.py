@@ -11,6 +11,7 @@ import numpy as np
 from .._types import Array, Mask
 from ..floquet.tongues.outlines import Outline
 from ..maps.grid_edges import GridEdges
+from .agreement import Agreement, agreement
 from .columns import Lines, label_columns
 from .quantities import GROWTH, GROWTH_PER_PERIOD
 from .structure import Chart, Layer
@@ -118,16 +119,14 @@ def growth_layers(grid: GrowthGrid, scales: tuple[float, float]) -> list[Layer]:
     columns = grid.growth.shape[1]
     ratio = left + (np.arange(columns) + 0.5) / columns * (right - left)
     shown = _shown(grid, grid.growth, ratio * scales[0])
-    bolotin = np.zeros_like(grid.unstable) if grid.bolotin is None else grid.bolotin
     place = {"x": [left], "y": [low], "dw": [right - left], "dh": [high - low]}
-    verdict = grid.unstable.astype(np.uint8) + 2 * bolotin.astype(np.uint8)
-    verdict[~np.isfinite(grid.growth)] = 4  # not computed: it disagrees with nothing
+    verdict = agreement(grid.growth, grid.unstable, grid.bolotin)
     clear = np.float32(np.nan)
     layers = []
     if grid.bolotin is not None:
         disagree = np.full(verdict.shape, clear, np.float32)
-        disagree[verdict == 2] = 0.0
-        disagree[verdict == 1] = 1.0
+        disagree[verdict == Agreement.BOLOTIN_ONLY] = 0.0
+        disagree[verdict == Agreement.FLOQUET_ONLY] = 1.0
         # below: a colour of growth is that of the colour bar wherever it stands
         layers.append(Layer("map", "disagreement", {"image": [disagree], **place}))
     quantity = GROWTH_PER_PERIOD if grid.per_period else GROWTH

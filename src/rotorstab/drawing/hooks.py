@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 from .extra import extra_is_missing
@@ -12,6 +13,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import Chart
+from ..charts.agreement import Agreement
 
 __all__ = [
     "add_growth_hover",
@@ -58,10 +60,7 @@ def hover(chart: Chart) -> HoverTool:
 def map_hover(chart: Chart) -> HoverTool:
     """Return a hover tool that gives the place, the growth and both verdicts."""
     words = CustomJSHover(
-        code="""
-        return ["stable by both", "Floquet: unstable, Bolotin: no region",
-                "Floquet: stable, Bolotin region", "both: unstable", "not computed"][value]
-        """
+        code=f"return {json.dumps([answer.words for answer in Agreement])}[value]"
     )
     x, y, growth = hover_names(chart)
     return HoverTool(

@@ -163,7 +163,7 @@ def _panel_inches(figure: Figure) -> tuple[float, float]:
     """Return the width and the height of a panel with its labels."""
     if _columns(figure) > 1:
         return PANEL_INCHES
-    if figure.number == 0 and len(figure.panels) == 1:  # a live chart
+    if figure.number is None and len(figure.panels) == 1:
         (panel,) = figure.panels
         if growth_bands(panel) is not None:
             return _LIVE_INCHES
@@ -196,7 +196,7 @@ def _arrange(drawn: Any, figure: Figure) -> None:
         )
         finish_panel(part, panel)
         add_colour_bar(part, panel, 0.1)
-        if figure.number == 0:
+        if figure.number is None:  # labels of the paper's figures have places of their own
             separate_labels(part)
     add_legend(drawn, figure, width, (0.5 * width, foot + 0.24))
     heading = mathtext(figure.heading)

@@ -16,7 +16,7 @@ except ImportError as error:
 
 from ..charts import Chart, Curve, Layer
 from ..charts.figure import growth_bands
-from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
+from ..charts.roles import UNSTABLE, Shape
 from . import contours
 from .printed_growth import growth_hook
 from .typesetting import mathtext
@@ -36,19 +36,19 @@ SHADE, PALE = 0.14, 0.09
 PANEL_INCHES = (3.2, 2.6)
 
 
-_POINTS = {
-    "marked point": ("o", MARKED),
-    "multipliers": ("o", MARKED),
-    "growing multipliers": ("^", UNSTABLE),
-    "minus one": ("X", NEUTRAL),
-    "start": ("o", PRESENT),
-    "end": ("s", MARKED),
+_SIGNS: dict[Shape, str] = {
+    "diamond": "D",
+    "circle": "o",
+    "ring": "o",
+    "triangle": "^",
+    "square": "s",
+    "cross": "X",
 }
 
 
 def point_look(point: Curve) -> tuple[str, str]:
-    """Return the sign and the colour of a point, by its group; a diamond for any other."""
-    return _POINTS.get(point.group, ("D", point.look.color))
+    """Return the sign of Matplotlib and the colour of a point."""
+    return _SIGNS[point.look.shape], point.look.color
 
 
 def _fill_hook(outlines: Sequence[Curve]) -> Callable[[Any, Any], None]:

@@ -20,7 +20,7 @@ except ImportError as error:
     raise extra_is_missing(__name__, error) from error
 
 from ..charts import ROLES, Chart, Layer
-from ..charts.roles import MARKED, NEUTRAL, PRESENT, UNSTABLE
+from ..charts.roles import Shape
 from . import contours
 from .contours import GROWTH_COLOURS
 from .hooks import (
@@ -41,10 +41,10 @@ from .hooks import (
 
 __all__ = [
     "DISAGREEMENT_COLOURS",
-    "POINT_LOOKS",
     "columns",
     "element",
     "hover_names",
+    "point_look",
 ]
 
 
@@ -60,28 +60,15 @@ _SIDES: Mapping[str, Mapping[str, Any]] = {
     "foot": {"align": "left", "baseline": "bottom", "dx": 3, "dy": 0},
     "upright": {"align": "left", "baseline": "top", "dx": 3, "dy": 0, "angle": math.pi / 2},
 }
-_DIAMOND = {"marker": "diamond", "size": 10, "color": PRESENT, "line_color": "white"}
-# by the label of the layer; shape and filling tell what the colour tells
-POINT_LOOKS: Mapping[str, Mapping[str, Any]] = {
-    "multipliers": _DIAMOND | {"marker": "circle", "size": 11, "color": MARKED},
-    "growing multipliers": _DIAMOND | {"marker": "triangle", "size": 14, "color": UNSTABLE},
-    "minus one": {
-        "marker": "x",
-        "size": 14,
-        "color": NEUTRAL,
-        "line_color": NEUTRAL,
-        "line_width": 3,
-    },
-    "start": _DIAMOND | {"marker": "circle", "size": 10},
-    "end": _DIAMOND | {"marker": "square", "size": 9, "color": MARKED},
-    "marker": {
-        "marker": "circle_dot",
-        "size": 16,
-        "color": "white",
-        "line_color": MARKED,
-        "line_width": 3,
-    },
+_MARKERS: Mapping[Shape, str] = {
+    "diamond": "diamond",
+    "circle": "circle",
+    "ring": "circle_dot",
+    "triangle": "triangle",
+    "square": "square",
+    "cross": "x",
 }
+_STROKE = 3  # width in pixels of a shape without filling
 DISAGREEMENT_COLOURS = ["#8a93a0", "#19b5c9"]
 _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 
@@ -89,6 +76,16 @@ _TOOLS = ["pan", "box_zoom", "wheel_zoom", "save", "reset"]
 def _thin(width: float) -> float:
     """Return the width of an outline: many of them stand close together."""
     return min(width, ROLES["edge"].width)
+
+
+def point_look(layer: Layer) -> dict[str, Any]:
+    """Return Bokeh's options for the points of a layer; "color" is that of their filling."""
+    role = ROLES[layer.role]
+    look = {"marker": _MARKERS[role.shape], "size": role.size}
+    if role.shape in ("ring", "cross"):
+        filling = "white" if role.shape == "ring" else role.color
+        return look | {"color": filling, "line_color": role.color, "line_width": _STROKE}
+    return look | {"color": role.color, "line_color": "white"}
 
 
 def columns(layer: Layer) -> dict[str, Any]:
@@ -234,7 +231,7 @@ def _draw(chart: Chart, layer: Layer) -> hv.Element:
     if layer.kind == "points":
         return hv.Points(marks, vdims=["name"], label=label).opts(
             hv.opts.Points(
-                **POINT_LOOKS.get(layer.label, _DIAMOND),
+                **point_look(layer),
                 tools=[hover(chart)],
                 backend="bokeh",
             )

@@ -18,7 +18,13 @@ from ..whirl.mode_names import names_of
 from .averaging import averaged_tongue
 from .criterion import mean_is_unstable
 
-__all__ = ["Resonance", "ResonanceTable", "resonances"]
+__all__ = ["HIGHEST_NAMED_ORDER", "Resonance", "ResonanceTable", "resonances"]
+
+HIGHEST_NAMED_ORDER = 9
+"""Largest k of θ̄ = |ω_i − ω_j|/k up to which tongues are named after a pair of modes.
+
+Tongues of higher orders stand so close together that the nearest one says little.
+"""
 
 _SLOPE_LOAD = 1e-4  # p̄_t of the slope K₁/p̄_t where the given one is 0
 
@@ -138,7 +144,9 @@ class ResonanceTable:
         """Whether the mean system grows without pulsation, by more than rounding."""
         return bool(mean_is_unstable(self.frequencies))
 
-    def nearest(self, frequency: float, highest_order: int) -> tuple[Resonance, int] | None:
+    def nearest(
+        self, frequency: float, highest_order: int = HIGHEST_NAMED_ORDER
+    ) -> tuple[Resonance, int] | None:
         """Return the pair and order k whose θ̄ = |ω_i − ω_j|/k explains a frequency best.
 
         Parameters

@@ -9,7 +9,7 @@ import numpy as np
 from .._arguments import number, numbers
 from .._types import Array, ArrayLike, Index
 from ..floquet.resonance import ResonanceTable, resonances
-from ..floquet.tongues.band_threshold import HIGHEST_ORDER, lowest_threshold
+from ..floquet.tongues.band_threshold import lowest_threshold
 from ..floquet.tongues.crossings import first_crossings
 from ..floquet.tongues.plane import Plane
 from ..model.system import System
@@ -76,7 +76,7 @@ def _nearest(table: ResonanceTable, frequency: float, load: float) -> tuple[str,
     ]
     if first and min(first)[0] < _REACH:
         return min(first)[1], 1
-    nearest = table.nearest(frequency, HIGHEST_ORDER)
+    nearest = table.nearest(frequency)
     return (nearest[0].name, nearest[1]) if nearest else ("", 0)
 
 

@@ -19,7 +19,6 @@ from ..floquet.tongues.tracking import tongue_centres
 
 __all__ = ["ThinTongue", "thin_tongues"]
 
-_HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which lines are named
 _LEAST_ROWS = 12  # loads at which tongues are sought
 _NARROW = 1.5  # columns: the columns see a narrower tongue in some rows only
 _ROOT_MOVE = 0.02  # of the root: farthest foot of a line that is drawn on to it
@@ -95,7 +94,7 @@ def thin_tongues(
         level, centre, hidden, lost = _rooted(level, centre, hidden, lost, rows, loads[some])
         if not hidden.any():
             continue
-        nearest = table.nearest(float(centre[0]), _HIGHEST_ORDER)
+        nearest = table.nearest(float(centre[0]))
         # one more row on each side joins the line to what the columns see
         near = hidden.copy()
         near[1:] |= hidden[:-1]

@@ -16,6 +16,7 @@ from app.pages.marked_point import INSPECTOR_CHARTS, inspect
 from app.results.analysis import CHARTS, solve
 from app.state import PRESETS, State
 from app.words.si import displayed
+from rotorstab.charts.agreement import Agreement
 from rotorstab.model.stiffness_law import STIFFNESS_LAWS
 
 MARKED = {"marker": True, "marker_frequency": 1.7, "marker_factor": 0.4, "periods": 5.0}
@@ -137,7 +138,7 @@ def test_a_program_computes_the_arrays_of_the_charts(ran):
     stability = names["stability"]
     # the chart's grid is finer: it leaves out slower loads, and pixels in doubt may be others;
     # with finite elements it follows the slowest whirls, and the program all of them
-    shown = chart.layer("growth").columns["verdict"][0] != 4
+    shown = chart.layer("growth").columns["verdict"][0] != Agreement.NOT_COMPUTED
     both = np.isfinite(image) & stability.unstable
     sure = shown & (stability.error <= 1e-5)
     assert (np.isfinite(image) != stability.unstable)[sure].mean() < (

@@ -10,6 +10,7 @@ from app.results.limits import Detail
 from app.state import State
 from app.words.details import details
 from app.words.verdict import percent, verdict
+from rotorstab.charts.agreement import Agreement
 
 DRIVEN = {
     "model": "finite elements",
@@ -107,7 +108,8 @@ def test_nothing_computed_gives_no_share():
     answer = result.floquet
     assert np.isnan(answer.unstable_share)
     assert "Of " not in verdict(answer)
-    assert (result.charts["instability"].layer("growth").columns["verdict"][0] == 4).all()
+    verdict_of_pixels = result.charts["instability"].layer("growth").columns["verdict"][0]
+    assert (verdict_of_pixels == Agreement.NOT_COMPUTED).all()
     image = result.charts["instability"].layer("disagreement").columns["image"][0]
     assert np.isnan(image).all()
 

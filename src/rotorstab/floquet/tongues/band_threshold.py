@@ -17,13 +17,11 @@ from .thresholds import (
     zoomed_threshold,
 )
 
-__all__ = ["HIGHEST_ORDER", "lowest_threshold"]
-
-HIGHEST_ORDER = 6
-"""Highest k of θ̄ = |ω_i − ω_j|/k near which tongues are sought."""
+__all__ = ["lowest_threshold"]
 
 Band = tuple[float, float]
 
+_SOUGHT_ORDERS = 6  # number of k of θ̄ = |ω_i − ω_j|/k near which tongues are sought
 _COLUMNS = 160  # frequencies of the check
 _LEVELS = (0.1, 0.3, 1.0)  # loads of the check, as parts of the smallest one known so far
 _SMALL = 0.04  # coupling over frequency below which a load hardly moves the tongues
@@ -55,7 +53,8 @@ def _unstable_points(plane: Plane, band: Band, load: float) -> Array:
     low, high = band
     columns = np.geomspace(low, high, _COLUMNS)
     excess, near = plane.sample(np.full(_COLUMNS, load), columns)
-    place = np.unique([row.centre / k for row in plane.table for k in range(1, HIGHEST_ORDER + 1)])
+    orders = range(1, _SOUGHT_ORDERS + 1)
+    place = np.unique([row.centre / k for row in plane.table for k in orders])
     place = place[(place > 0.9 * low) & (place < 1.1 * high)]
     reach, rank = pair_reach(plane, place), np.zeros(len(place), dtype=np.intp)
     if not _moves_tongues_little(plane, low, load):

@@ -23,7 +23,6 @@ from .linking import Piece, linked_pieces
 
 __all__ = ["Outline", "unstable_outlines"]
 
-_HIGHEST_ORDER = 9  # k of θ̄ = |ω_i − ω_j|/k up to which pieces are named
 _TIP_MOVE = 0.02  # of the root: farthest tip that is drawn on to its root at p̄_t = 0
 _TIP_ROWS = 12  # highest row from which it is
 
@@ -154,7 +153,7 @@ def _outline(
     loads = np.array(piece.loads)
     left, right = np.array(piece.intervals).T.copy()
     middle = (left[0] + right[0]) / 2
-    nearest = table.nearest(middle, _HIGHEST_ORDER)
+    nearest = table.nearest(middle)
     if nearest is None or loads[0] == 0.0:
         return Outline("", 0, loads, left, right, window)
     row, order = nearest
