@@ -97,13 +97,13 @@ def main():
     coefficients = np.random.default_rng(0).uniform(-2, 2, (3, 120, 240))
     floor, bare = interleaved(
         lambda: self_inversive_multipliers(coefficients),
-        lambda: chart(refine=False, seed=False),
+        lambda: chart(refine=False, find_narrow=False),
     )
     line("floor: multipliers of 240 x 120 known quartics", floor)
     line("map 240 x 120, bare", bare, f"{bare / floor:.1f} x floor")
-    line("map 240 x 120, doubtful pixels refined", best(lambda: chart(seed=False)))
+    line("map 240 x 120, doubtful pixels refined", best(lambda: chart(find_narrow=False)))
     line("chart 240 x 120, thin tongues marked as well", best(chart))
-    coarse = best(lambda: chart(columns=80, rows=40, density=0.8, refine=False, seed=False))
+    coarse = best(lambda: chart(columns=80, rows=40, density=0.8, refine=False, find_narrow=False))
     line("map 80 x 40, density 0.8, bare", coarse)
 
     rng = np.random.default_rng(1)
@@ -118,14 +118,17 @@ def main():
 
     for columns, rows in ((240, 120), (775, 387), (2450, 1225))[: 2 if QUICK else 3]:
         seconds = best(
-            lambda c=columns, r=rows: chart(columns=c, rows=r, refine=False, seed=False), 2
+            lambda c=columns, r=rows: chart(columns=c, rows=r, refine=False, find_narrow=False), 2
         )
         each = seconds / columns / rows * 1e9
         line(f"map of {columns * rows:,} pixels", seconds, f"{each:.0f} ns a pixel")
     for modes in (2, 3) if QUICK else (2, 3, 4, 6, 8):
         system = finite_element(BASE_CASE, 2.0, modes=modes)
         seconds = best(
-            lambda s=system: chart(s, columns=24, rows=12, low=1.0, refine=False, seed=False), 1
+            lambda s=system: chart(
+                s, columns=24, rows=12, low=1.0, refine=False, find_narrow=False
+            ),
+            1,
         )
         line(f"map 24 x 12 of {modes} finite-element modes", seconds)
     dashboard()

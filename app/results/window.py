@@ -96,7 +96,7 @@ def chart_options(model: Model, detail: Detail, matrices: bool = False) -> dict[
         "refine": detail is Detail.FULL,
         "most_refined": limits.MOST_REFINED[model.kind],
         # tongues narrower than a pixel are shown by their edges
-        "seed": False,
+        "find_narrow": False,
     }
 
 
@@ -244,7 +244,7 @@ def _on_pixels(
             parts[name][:, seen] = getattr(whole, name)[np.ix_(up.pixels, column)]
             parts[name].flags.writeable = False
     refined = 0 if whole is None else whole.refined
-    return StabilityChart(up.centres, across.centres, **parts, refined=refined, seeded=0)
+    return StabilityChart(up.centres, across.centres, **parts, refined=refined, narrow_only=0)
 
 
 def _followed(

@@ -17,7 +17,7 @@ def test_points_and_charts_agree():
     system = lumped(BASE_CASE, 2.0)
     loads, theta = np.linspace(0, 1, 9) * P, np.linspace(1, 5, 17) * W
     points = floquet_solution(system, 0.5 * P, loads[:, None], theta)
-    chart = stability_chart(system, 0.5 * P, loads, theta, seed=False)
+    chart = stability_chart(system, 0.5 * P, loads, theta, find_narrow=False)
     assert (chart.unstable == points.unstable).all()
 
 

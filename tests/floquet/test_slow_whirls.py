@@ -29,7 +29,7 @@ def chart_of(rotor, system, **options):
     loads, theta = np.linspace(0.0, buckling, 13), np.linspace(0.6, 6.0, 160) * frequency
     static = 0.4 * buckling
     chart = stability_chart(
-        system, static, loads, theta, refine=False, seed=False, slow_whirls=True, **options
+        system, static, loads, theta, refine=False, find_narrow=False, slow_whirls=True, **options
     )
     return chart, static
 
@@ -71,6 +71,6 @@ def test_a_system_of_two_coordinates_has_slow_whirls_only():
         chart.pulsating_loads,
         chart.excitation_frequencies,
         refine=False,
-        seed=False,
+        find_narrow=False,
     )
     np.testing.assert_array_equal(chart.growth, whole.growth)

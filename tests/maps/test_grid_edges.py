@@ -35,7 +35,7 @@ def edges_of(system, columns=120, rows=24):
     loads = np.linspace(0.0, 0.9 * BUCKLING, rows)
     theta = np.linspace(0.6, 5.0, columns) * FREQUENCY
     chart = stability_chart(
-        system, 0.3 * BUCKLING, loads, theta, refine=False, seed=False, edges=True
+        system, 0.3 * BUCKLING, loads, theta, refine=False, find_narrow=False, edges=True
     )
     return chart, chart.edges
 
@@ -79,11 +79,11 @@ def test_rows_past_the_pole_of_the_exact_law_have_no_edges():
     room = system.largest_load - 0.3 * BUCKLING
     loads = np.linspace(0.0, 1.5 * room, 16)
     chart = stability_chart(
-        system, 0.3 * BUCKLING, loads, [1.0, 1.1], refine=False, seed=False, edges=True
+        system, 0.3 * BUCKLING, loads, [1.0, 1.1], refine=False, find_narrow=False, edges=True
     )
     assert chart.edges.pulsating_loads.max() < room < loads.max()
     nothing = stability_chart(
-        system, 0.3 * BUCKLING, [2 * room], [1.0], refine=False, seed=False, edges=True
+        system, 0.3 * BUCKLING, [2 * room], [1.0], refine=False, find_narrow=False, edges=True
     )
     assert nothing.edges is None
 
@@ -102,7 +102,9 @@ def test_edges_are_found_only_when_asked_for():
 def test_a_thin_tongue_is_a_line_of_unstable_points(name):
     system, static = SYSTEMS[name], 0.3 * BUCKLING
     loads, theta = np.linspace(0.0, BUCKLING, 41), np.linspace(0.5, 16.0, 240) * FREQUENCY
-    chart = stability_chart(system, static, loads, theta, refine=False, seed=False, edges=True)
+    chart = stability_chart(
+        system, static, loads, theta, refine=False, find_narrow=False, edges=True
+    )
     assert len(chart.edges.thin) > 4
     for line in chart.edges.thin:
         at = np.isin(line.pulsating_loads, loads[1:]) & np.isfinite(line.excitation_frequencies)
@@ -115,7 +117,9 @@ def test_a_thin_tongue_is_a_line_of_unstable_points(name):
 def test_no_tongue_of_the_resonance_table_is_missing_at_small_loads(name):
     system, static = SYSTEMS[name], 0.3 * BUCKLING
     loads, theta = np.linspace(0.0, 0.4 * BUCKLING, 31), np.linspace(0.5, 16.0, 480) * FREQUENCY
-    chart = stability_chart(system, static, loads, theta, refine=False, seed=False, edges=True)
+    chart = stability_chart(
+        system, static, loads, theta, refine=False, find_narrow=False, edges=True
+    )
     table = resonances(system, static, 0.1 * BUCKLING)
     rows = [row for row in table if row.threshold < 0.1 * BUCKLING and row.growth_per_load > 0]
     assert rows
@@ -133,7 +137,7 @@ def test_tongues_of_finite_elements_are_followed_only_where_points_may_be_refine
     grid = np.linspace(0.0, 0.9 * BUCKLING, 9), np.linspace(1.0, 6.0, 16) * FREQUENCY
     quick, exact = (
         stability_chart(
-            system, static, *grid, refine=refine, most_refined=0, seed=False, edges=True
+            system, static, *grid, refine=refine, most_refined=0, find_narrow=False, edges=True
         ).edges.thin
         for refine in (False, True)
     )

@@ -98,7 +98,7 @@ def test_thin_tongue_is_marked_with_its_peak_growth():
     assert chart.unstable[1, column]
     assert chart.peak_growth[1, column] == pytest.approx(row.growth, rel=1e-2)
     assert not chart.unstable[0].any()
-    assert chart.seeded >= 1
+    assert chart.narrow_only >= 1
 
 
 def test_order_sign_and_plain_map():
@@ -124,7 +124,7 @@ def test_the_number_of_pixels_computed_again_is_bounded():
     system, loads = lumped(BASE_CASE, 0.5), np.linspace(0, 2, 9) * P
     theta = np.linspace(0.1, 5, 24) * W
     full, some, none = (
-        stability_chart(system, 0.9 * P, loads, theta, seed=False, **options)
+        stability_chart(system, 0.9 * P, loads, theta, find_narrow=False, **options)
         for options in ({}, {"most_refined": 3}, {"refine": False})
     )
     assert full.refined > 3

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rotorstab import BASE_CASE, lumped
-from rotorstab.floquet.interpolant.chart_interpolant import chart_panels
+from rotorstab.floquet.interpolant.chart_panels import chart_panels
 from rotorstab.floquet.interpolant.sampling import NodeSampler
 from rotorstab.maps.work import columns_within_work
 from tests.testing.example_rotors import P, W

@@ -64,7 +64,7 @@ def test_points_inside_grow_and_points_outside_do_not(case):
     theta = (0.5 + (np.arange(300) + 0.5) / 300 * 11) * FREQUENCY
     loads = (np.arange(30) + 0.5) / 30 * BUCKLING
     chart = stability_chart(
-        lumped(BASE_CASE, spin, tangency), factor * BUCKLING, loads, theta, seed=False
+        lumped(BASE_CASE, spin, tangency), factor * BUCKLING, loads, theta, find_narrow=False
     )
     inside = np.zeros(chart.unstable.shape, dtype=bool)
     for one in outlines(*case):

@@ -7,7 +7,7 @@ that a live chart is patched and not drawn again.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -188,64 +188,79 @@ def _draw_areas(chart: Chart, layer: Layer) -> hv.Polygons:
     )
 
 
-def _draw(chart: Chart, layer: Layer) -> hv.Element:
-    """Return one layer's HoloViews element, styled for Bokeh."""
+def _draw_shapes(_: Chart, layer: Layer) -> hv.Polygons:
+    """Return hatched regions, or dotted parts that are not computed."""
     data = columns(layer)
-    label = layer.label
-    if layer.kind == "map":
-        return _draw_map(chart, layer)
-    if layer.kind == "bands":
-        return _draw_bands(chart, layer)
-    if layer.kind in ("blanks", "regions"):
-        paths = [
-            {"x": xs[0][0], "y": ys[0][0], "name": name}
-            for xs, ys, name in zip(*data.values(), strict=True)
-        ]
-        shape = hv.Polygons(paths, vdims=["name"], label=label)
-        blank = layer.kind == "blanks"
-        return shape.opts(
-            hv.opts.Polygons(
-                color="#8a93a0",
-                fill_alpha=0.16 if blank else 0.06,
-                line_alpha=0.0,
-                hooks=[apply_dots if blank else apply_hatch],
-                backend="bokeh",
-            )
+    paths = [
+        {"x": xs[0][0], "y": ys[0][0], "name": name}
+        for xs, ys, name in zip(*data.values(), strict=True)
+    ]
+    blank = layer.kind == "blanks"
+    return hv.Polygons(paths, vdims=["name"], label=layer.label).opts(
+        hv.opts.Polygons(
+            color="#8a93a0",
+            fill_alpha=0.16 if blank else 0.06,
+            line_alpha=0.0,
+            hooks=[apply_dots if blank else apply_hatch],
+            backend="bokeh",
         )
-    if layer.kind == "areas":
-        return _draw_areas(chart, layer)
-    if layer.kind in ("lines", "outlines", "edges"):
-        extra = ["name", "color", "dash", "width"]
-        rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
-        paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]
-        lines = hv.Contours(paths, vdims=extra, label=label)
-        return lines.opts(
-            hv.opts.Contours(
-                hooks=[apply_line_styles],
-                tools=[hover(chart)],
-                show_legend=False,
-                backend="bokeh",
-            )
+    )
+
+
+def _draw_lines(chart: Chart, layer: Layer) -> hv.Contours:
+    """Return lines, each in its own look."""
+    data = columns(layer)
+    rows = [dict(zip(data, row, strict=True)) for row in zip(*data.values(), strict=True)]
+    paths = [{"x": row.pop("xs"), "y": row.pop("ys"), **row} for row in rows]
+    return hv.Contours(paths, vdims=["name", "color", "dash", "width"], label=layer.label).opts(
+        hv.opts.Contours(
+            hooks=[apply_line_styles],
+            tools=[hover(chart)],
+            show_legend=False,
+            backend="bokeh",
         )
-    marks = (data["x"], data["y"], data["name"])
-    if layer.kind == "points":
-        return hv.Points(marks, vdims=["name"], label=label).opts(
-            hv.opts.Points(
-                **point_look(layer),
-                tools=[hover(chart)],
-                backend="bokeh",
-            )
-        )
-    return hv.Labels(marks, vdims=["name"], label=label).opts(
+    )
+
+
+def _draw_points(chart: Chart, layer: Layer) -> hv.Points:
+    """Return points in the look of their role."""
+    return hv.Points(_marks(layer), vdims=["name"], label=layer.label).opts(
+        hv.opts.Points(**point_look(layer), tools=[hover(chart)], backend="bokeh")
+    )
+
+
+def _draw_labels(_: Chart, layer: Layer) -> hv.Labels:
+    """Return texts beside their points."""
+    return hv.Labels(_marks(layer), vdims=["name"], label=layer.label).opts(
         hv.opts.Labels(
             # the names of whirls and of critical loads stand close together in a low chart
-            text_font_size="8pt" if label in ("mode", "limit") else "9pt",
+            text_font_size="8pt" if layer.label in ("mode", "limit") else "9pt",
             text_font_style="bold",
             text_color="#6b7280",
             hooks=[apply_label_places],
             backend="bokeh",
         )
     )
+
+
+def _marks(layer: Layer) -> tuple[Any, Any, Any]:
+    data = columns(layer)
+    return data["x"], data["y"], data["name"]
+
+
+_DRAWERS: Mapping[str, Callable[[Chart, Layer], hv.Element]] = {
+    "map": _draw_map,
+    "bands": _draw_bands,
+    "blanks": _draw_shapes,
+    "regions": _draw_shapes,
+    "areas": _draw_areas,
+    "lines": _draw_lines,
+    "outlines": _draw_lines,
+    "edges": _draw_lines,
+    "points": _draw_points,
+    "labels": _draw_labels,
+}
+"""What draws a layer, by its kind: it returns a HoloViews element, styled for Bokeh."""
 
 
 def element(chart: Chart) -> hv.Overlay:
@@ -262,7 +277,7 @@ def element(chart: Chart) -> hv.Overlay:
         Styled for the Bokeh backend; axis labels are the paper's symbols.
     """
     hv.renderer("bokeh")  # loads it where it is not, and leaves the current one current
-    return hv.Overlay([_draw(chart, layer) for layer in chart.layers]).opts(
+    return hv.Overlay([_DRAWERS[layer.kind](chart, layer) for layer in chart.layers]).opts(
         hv.opts.Overlay(
             title="",
             xlabel=chart.x_label,

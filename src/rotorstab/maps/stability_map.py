@@ -1,4 +1,4 @@
-"""Stability charts over pulsating load and excitation frequency: the fast path."""
+"""Stability charts over pulsating load and excitation frequency, by interpolation."""
 
 from __future__ import annotations
 
@@ -8,14 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._arguments import number, numbers, whole_number
-from .._tolerances import NO_VERDICT, SMALLEST_GROWTH, UNCERTAIN_PIXEL
 from .._types import Array, ArrayLike, Mask
 from ..floquet.criterion import is_unstable
-from ..floquet.interpolant.chart_interpolant import ChartInterpolant
-from ..floquet.point import floquet_solution
-from ..floquet.tongues.subpixel import growth_of_collisions, growth_of_table
 from ..model.system import System, single_speed
-from .grid_edges import GridEdges, grid_edges
+from .grid_edges import GridEdges
+from .solved_grid import GridOptions, SolvedGrid, solved_grid
 
 __all__ = ["StabilityChart", "stability_chart", "stability_map"]
 
@@ -42,7 +39,7 @@ class StabilityChart:
         Whether `growth` exceeds its error, or a narrow tongue passes through the pixel.
     refined : int
         Number of pixels that were computed again one by one.
-    seeded : int
+    narrow_only : int
         Number of pixels that are unstable only because of a narrow tongue.
     edges : GridEdges or None
         The edge of the unstable set, on the rows below `System.largest_load`; None where it was
@@ -56,7 +53,7 @@ class StabilityChart:
     peak_growth: Array
     unstable: Mask
     refined: int
-    seeded: int
+    narrow_only: int
     edges: GridEdges | None = None
 
 
@@ -83,7 +80,7 @@ def stability_chart(
     refine: bool = True,
     most_refined: int | None = None,
     refine_from: float = 0.0,
-    seed: bool = True,
+    find_narrow: bool = True,
     edges: bool = False,
     resolve: float = math.inf,
     slow_whirls: bool = False,
@@ -111,7 +108,7 @@ def stability_chart(
         keep their error.
     refine_from : float
         θ̄ below which no pixel is computed again: its time rises with the period of the load.
-    seed : bool
+    find_narrow : bool
         Whether to search for tongues narrower than a pixel, and mark the pixels through which they
         pass. With two coordinates all tongues that grow faster than 1e-4 are found, of any order,
         down to the lowest root of the resonance table; with more coordinates those of the table.
@@ -151,64 +148,42 @@ def stability_chart(
     Examples
     --------
     >>> from rotorstab import ShaftDisk, lumped
-    >>> chart = stability_chart(lumped(ShaftDisk(), 1.0), 1.18, [0.0, 0.5], [0.8, 1.0], seed=False)
+    >>> system = lumped(ShaftDisk(), 1.0)
+    >>> chart = stability_chart(system, 1.18, [0.0, 0.5], [0.8, 1.0], find_narrow=False)
     >>> chart.unstable.tolist()
     [[False, False], [False, True]]
     """
     static, all_loads, all_frequencies = _checked(
         system, static_load, pulsating_loads, excitation_frequencies
     )
-    density = number("density", density, 0.3, 3.0)
-    if not isinstance(refine, (bool, np.bool_)):
-        raise ValueError(
-            f"`refine` must be True or False, got {refine!r}; `most_refined` bounds the number "
-            "of pixels"
-        )
-    most = None if most_refined is None else whole_number("most_refined", most_refined, 0)
-    refine_from = number("refine_from", refine_from, 0.0)
+    options = GridOptions(
+        number("density", density, 0.3, 3.0),
+        _checked_refine(refine),
+        None if most_refined is None else whole_number("most_refined", most_refined, 0),
+        number("refine_from", refine_from, 0.0),
+        find_narrow,
+        edges,
+        resolve,
+        slow_whirls,
+    )
     if edges and not all((np.diff(x, prepend=0) >= 0).all() for x in (all_loads, all_frequencies)):
         raise ValueError("`edges` needs loads of 0 or more and frequencies in rising order")
-    shape = (len(all_loads), len(all_frequencies))
-    growth, error, peak = (np.full(shape, np.nan) for _ in range(3))
-    found: GridEdges | None = None
-    refined = 0
-    # rising loads below the pole, falling frequencies: rising periods
     columns = np.argsort(-all_frequencies, kind="stable")
-    frequencies, magnitude = all_frequencies[columns], np.abs(all_loads)
+    magnitude = np.abs(all_loads)
     valid = np.flatnonzero(system.in_charts(static + magnitude))
     rows = valid[np.argsort(magnitude[valid], kind="stable")]
+    growth, error, peak = np.full((3, len(all_loads), len(all_frequencies)), np.nan)
+    found = SolvedGrid.nothing()
     if rows.size:
-        loads, periods = magnitude[rows], 2 * np.pi / frequencies
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            interpolant = ChartInterpolant(
-                system,
-                static,
-                float(loads[-1]),
-                periods,
-                density,
-                between=seed,
-                resolve=2 * np.pi / resolve,
-                slow=slow_whirls,
-            )
-            solve = interpolant.growth_and_edge if edges else interpolant.growth
-            part, slack, smooth = solve(*interpolant.on_grid(loads, periods), periods)
-            if refine:
-                fast = frequencies >= refine_from
-                refined = _refine(system, static, loads, frequencies, part, slack, fast, most)
-            part[(np.abs(part) <= slack) & ~(slack * periods < NO_VERDICT)] = np.nan
-        highest = _with_subpixel(part, interpolant, loads, frequencies) if seed else part
+        found = solved_grid(system, static, magnitude[rows], all_frequencies[columns], options)
         target = np.ix_(rows, columns)
-        growth[target], peak[target] = part, highest
-        if edges:
-            rising = np.where(np.isnan(part), np.nan, smooth)[:, ::-1]
-            found = grid_edges(interpolant, rising, loads, frequencies[::-1].copy(), refine)
-        error[target] = np.maximum(slack, SMALLEST_GROWTH)
+        growth[target], error[target], peak[target] = found.growth, found.error, found.peak
     with np.errstate(invalid="ignore"):
         at_centre = is_unstable(growth, error)
         unstable = at_centre | is_unstable(peak - np.maximum(growth, 0), 0.0)
     for array in (all_loads, all_frequencies, growth, error, peak, unstable):
         array.flags.writeable = False
-    seeded = int((unstable & ~at_centre).sum())
+    narrow_only = int((unstable & ~at_centre).sum())
     return StabilityChart(
         all_loads,
         all_frequencies,
@@ -216,46 +191,19 @@ def stability_chart(
         error,
         peak,
         unstable,
-        refined,
-        seeded,
-        found,
+        found.refined,
+        narrow_only,
+        found.edges,
     )
 
 
-def _with_subpixel(
-    growth: Array, interpolant: ChartInterpolant, loads: Array, frequencies: Array
-) -> Array:
-    """Return the growth (R, C), or that of a tongue narrower than a pixel where it is larger."""
-    highest = growth.copy()
-    if not interpolant.closed_form:
-        return np.fmax(highest, growth_of_table(interpolant, loads, frequencies))
-    periods = 2 * np.pi / frequencies
-    for index, panel in enumerate(interpolant.panels):
-        if panel.period_nodes and panel.high > panel.low:
-            highest = np.fmax(highest, growth_of_collisions(interpolant, index, loads, periods))
-    return highest
-
-
-def _refine(
-    system: System,
-    static: float,
-    loads: Array,
-    frequencies: Array,
-    growth: Array,
-    error: Array,
-    columns: Mask,
-    most: int | None,
-) -> int:
-    """Compute the pixels with large errors in some columns again, in place; return their number."""
-    i, j = np.nonzero((~(error <= UNCERTAIN_PIXEL) | ~np.isfinite(growth)) & columns)
-    decided = np.abs(growth[i, j]) > error[i, j]
-    # the frequencies fall
-    first = np.lexsort((j, decided))[:most]
-    i, j = i[first], j[first]
-    if i.size:
-        again = floquet_solution(system, static, loads[i], frequencies[j])
-        growth[i, j], error[i, j] = again.growth_rate, again.error
-    return len(i)
+def _checked_refine(refine: bool) -> bool:
+    if not isinstance(refine, (bool, np.bool_)):
+        raise ValueError(
+            f"`refine` must be True or False, got {refine!r}; `most_refined` bounds the number "
+            "of pixels"
+        )
+    return bool(refine)
 
 
 def stability_map(
@@ -297,5 +245,5 @@ def stability_map(
     (2, 2)
     """
     return stability_chart(
-        system, static_load, pulsating_loads, excitation_frequencies, seed=False
+        system, static_load, pulsating_loads, excitation_frequencies, find_narrow=False
     ).growth.copy()

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..floquet.interpolant.chart_interpolant import chart_panels
+from ..floquet.interpolant.chart_panels import chart_panels
 from ..floquet.interpolant.sampling import NodeSampler
 from ..floquet.interpolant.slow_whirls import SlowSampler
 from ..model.system import System
