@@ -12,7 +12,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from app.results.limits import Detail
-from app.results.model import Model
+from app.results.model import Model, Operation
+from app.results.views import View
 from app.results.window import Window, floquet_map
 from rotorstab import BASE_CASE, critical_load, finite_element, fundamental_frequency, lumped
 from rotorstab.floquet.interpolant.characteristic import self_inversive_multipliers
@@ -78,9 +79,9 @@ def dashboard():
         "finite elements, damped": {"kind": "finite elements", "external_damping": 0.01},
     }
     for name, options in models.items():
-        window = Window(
-            Model(BASE_CASE, **options), 2.0, 0.0, 0.5 * LOAD, 0.0, 16 * FREQUENCY, LOAD
-        )
+        model = Model(BASE_CASE, **options)
+        operation = Operation(model, 2.0, 0.0, 0.5 * LOAD, LOAD, FREQUENCY)
+        window = Window(operation, View(0.0, 16.0, 0.0, 1.0))
         moving = best(lambda w=window: floquet_map(w, Detail.COARSE), 5)
         settled = best(lambda w=window: floquet_map(w, Detail.FULL), 3)
         made = floquet_map(window, Detail.FULL)

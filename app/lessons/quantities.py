@@ -11,7 +11,7 @@ import numpy as np
 
 from rotorstab import in_bolotin_region
 
-from ..results.curves import flutter
+from ..results.curves import flutter, rotor_numbers
 from ..results.growth import Motion, motion_of
 from .quantity import Quantity
 from .situation import Situation
@@ -52,7 +52,7 @@ QUANTITIES = (
         "buckling",
         "buckling load p̄_cr",
         "static buckling load p̄_cr",
-        lambda at: at.operation.buckling_load,
+        lambda at: rotor_numbers(at.rotor).buckling_load,
     ),
     Quantity(
         "flutter",

@@ -13,16 +13,19 @@ from rotorstab import (
     CriticalSpeeds,
     Resonance,
     ResonanceTable,
+    ShaftDisk,
     bolotin_chart,
     critical_speeds,
     mean_is_unstable,
     resonances,
     whirl_frequencies,
 )
-from rotorstab.floquet.point import FloquetSolution, floquet_solution
+from rotorstab.floquet.point import FloquetSolution
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
 from ..reading.user_error import UserError
+from ..results.marked_point import Point, accurate_floquet
+from ..results.model import Operation
 from ..results.operation import operation_of
 from ..state import State
 
@@ -49,11 +52,29 @@ class Situation:
     """
 
     def __init__(self, inputs: Mapping[str, Any], load: float | None = None) -> None:
-        state = State(**inputs)
         self.inputs = dict(inputs)
-        self.operation = operation_of(state, load)
-        self.rotor = self.operation.model.rotor
-        self.spin = state.spin_speed
+        self._state, self._load = State(**inputs), load
+
+    @property
+    def rotor(self) -> ShaftDisk:
+        """The rotor."""
+        return self._state.rotor()
+
+    @property
+    def spin(self) -> float:
+        """Ω̄."""
+        return float(self._state.spin_speed)
+
+    @cached_property
+    def operation(self) -> Operation:
+        """The rotor in operation; UserError where it has no load that the factors refer to."""
+        return operation_of(self._state, self._load)
+
+    @property
+    def point(self) -> Point:
+        """The marked point."""
+        state = self._state
+        return Point(self.operation, state.marker_frequency, state.marker_factor)
 
     @property
     def fundamental(self) -> float:
@@ -72,23 +93,23 @@ class Situation:
 
     @property
     def pulsating(self) -> float:
-        """p̄_t at the marker's β_d."""
-        return self.operation.pulsating_load(float(self.inputs["marker_factor"]))
+        """p̄_t at β_d of the marked point."""
+        return self.point.loads[1]
 
     @property
     def frequency(self) -> float:
-        """θ̄ at the marker."""
-        return self.operation.excitation_frequency(float(self.inputs["marker_frequency"]))
+        """θ̄ at the marked point."""
+        return self.point.excitation
 
     @cached_property
     def table(self) -> ResonanceTable:
-        """Every pair of modes at the marker's β_d."""
+        """Every pair of modes at β_d of the marked point."""
         return resonances(self.operation.system, self.static, self.pulsating)
 
     @cached_property
     def floquet(self) -> FloquetSolution:
-        """Floquet's answer at the marker."""
-        return floquet_solution(self.operation.system, self.static, self.pulsating, self.frequency)
+        """Floquet's answer at the marked point, the same that the page shows."""
+        return accurate_floquet(self.point)
 
     @cached_property
     def speeds(self) -> CriticalSpeeds:

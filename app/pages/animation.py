@@ -27,9 +27,11 @@ def animation(
 ) -> dict[str, Any]:
     """Return what the animation draws, displacements relative to `EDGE`, up to which they go."""
     load, unit = (1.0, "") if scales is None else load_in(scales)
-    pole = float(largest_exact_load(point.model.rotor.shear))
-    load_of_shape = min(point.static, (1 - CURVES_SHORT_OF_POLE) * pole)
-    shapes = shaft_shape(point.model.rotor, load_of_shape, np.eye(2), _SHAPE_POINTS).displacement
+    operation, (static, pulsating) = point.operation, point.loads
+    rotor = operation.model.rotor
+    pole = float(largest_exact_load(rotor.shear))
+    load_of_shape = min(static, (1 - CURVES_SHORT_OF_POLE) * pole)
+    shapes = shaft_shape(rotor, load_of_shape, np.eye(2), _SHAPE_POINTS).displacement
     shown = response.until(EDGE)
     scale = math.exp(min(response.log_scale, _LARGEST_LOG)) / EDGE
     tip, slope = shown.displacement * scale, shown.slope * scale
@@ -41,11 +43,11 @@ def animation(
         "samples": samples,
         "period": response.period,
         "growth": response.growth_rate,
-        "static": point.static * load,
-        "pulsating": point.pulsating * load,
+        "static": static * load,
+        "pulsating": pulsating * load,
         "load": ["P", f" {unit}"] if unit else ["p̄", ""],
-        "tangency": point.tangency,
-        "spin": point.spin_speed,
+        "tangency": operation.tangency,
+        "spin": operation.spin_speed,
         "fastest": float(max(point.excitation, mean_angular_speed(shown))),
         "seconds": None if scales is None else response.period / scales.frequency,
     }

@@ -11,7 +11,7 @@ from rotorstab import TimeResponse, in_bolotin_region
 from rotorstab.charts import Chart, Layer, in_seconds, marker_layer, pair_layers
 
 from ..results.analysis import Result
-from ..results.marked_point import Point, solve_point
+from ..results.marked_point import Point, Start, solve_point
 from ..results.nearest import nearest_pair
 from ..results.operation import operation_of
 from ..state import INITIAL_CONDITIONS, State
@@ -82,11 +82,11 @@ def inspect(state: State, result: Result) -> Inspection:
     UserError
         Where this point has no answer.
     """
-    point = _marked_point(state)
-    answer = solve_point(point)
-    bolotin = bool(
-        in_bolotin_region(point.undamped(), point.static, point.pulsating, point.excitation)
-    )
+    point = Point(operation_of(state), state.marker_frequency, state.marker_factor)
+    seed = round(state.seed) if state.initial == "noise" else 0
+    start = Start(INITIAL_CONDITIONS[state.initial], seed, round(state.periods))
+    answer = solve_point(point, start)
+    bolotin = bool(in_bolotin_region(point.operation.undamped, *point.loads, point.excitation))
     pair = nearest_pair(result.floquet.table, point.excitation)
     facts, explanation = describe(state, answer.floquet, bolotin, pair, result)
     facts += _facts_of_motion(answer.response, round(state.periods))
@@ -104,24 +104,6 @@ def inspect(state: State, result: Result) -> Inspection:
         response=answer.response,
         samples=answer.samples,
     )
-
-
-def _marked_point(state: State) -> Point:
-    """Return the point of the marker; UserError where the stiffness law ends below it."""
-    operation = operation_of(state)
-    point = Point(
-        model=operation.model,
-        spin_speed=operation.spin_speed,
-        tangency=operation.tangency,
-        static=operation.static_load,
-        pulsating=operation.pulsating_load(state.marker_factor),
-        excitation=operation.excitation_frequency(state.marker_frequency),
-        initial=INITIAL_CONDITIONS[state.initial],
-        seed=round(state.seed) if state.initial == "noise" else 0,
-        periods=round(state.periods),
-    )
-    operation.check_peak(state.marker_factor, "choose a lower β_d")
-    return point
 
 
 def _facts_of_motion(response: TimeResponse, wanted: int) -> list[Fact]:

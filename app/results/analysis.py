@@ -17,11 +17,12 @@ from rotorstab.charts import Chart, GrowthGrid, instability_chart
 
 from ..state import State, Use, names_for
 from .caches import shared_cache
-from .curves import flutter, whirl_numbers
+from .curves import flutter, rotor_numbers, whirl_numbers
 from .floquet_answer import TABLE_FACTOR, FloquetAnswer, floquet_answer
 from .growth_maps import known_map
 from .limits import Detail
-from .operation import Operation, operation_of
+from .model import Operation
+from .operation import check_peak, operation_of
 from .views import View
 from .whirl_charts import WHIRL_CHARTS, whirl_chart
 from .window import FloquetMap, Window
@@ -41,6 +42,7 @@ GROWTH_TOPS = {"per time": 0.2, "per period": 1.0}
 """Growth σ̄ or σ̄T at the upper end of the colours; faster growth has the last colour. They suit the
 paper's rotor, and stay the same while one explores."""
 _TOO_SLOW = "not drawn: load too slow"
+_SMALLER_STATIC_LOAD = "choose a smaller static load factor α_s"
 _ROUNDING = 1e-12  # by which Ī_P may exceed 2 Ī_D and still be equal
 
 
@@ -64,18 +66,6 @@ class Result:
     floquet: FloquetAnswer
 
 
-def _checked_loads(operation: Operation) -> tuple[float, float]:
-    """Return the load that the load factors refer to, and the static load.
-
-    Raises
-    ------
-    UserError
-        Where the rotor has no such load or the stiffness law ends below it.
-    """
-    operation.check_peak(TABLE_FACTOR, "choose a smaller static load factor α_s")
-    return operation.reference_load, operation.static_load
-
-
 def home_view(inputs: Mapping[str, Any]) -> View:
     """Return what the instability chart shows without a zoom."""
     return View(*_frequency_range(inputs), 0.0, inputs["largest_factor"])
@@ -84,28 +74,17 @@ def home_view(inputs: Mapping[str, Any]) -> View:
 def _window(inputs: Mapping[str, Any], view: View | None) -> Window:
     """Return the window of the growth map."""
     operation: Operation = inputs["operation"]
-    _, static = _checked_loads(operation)
-    seen = view or home_view(inputs)
-    return Window(
-        operation.model,
-        operation.spin_speed,
-        operation.tangency,
-        static,
-        operation.excitation_frequency(seen.left),
-        operation.excitation_frequency(seen.right),
-        operation.pulsating_load(seen.high),
-        operation.pulsating_load(seen.low),
-    )
+    check_peak(operation, TABLE_FACTOR, _SMALLER_STATIC_LOAD)
+    return Window(operation, view or home_view(inputs))
 
 
 @shared_cache(128)
 def _solve(items: tuple[tuple[str, Any], ...], detail: Detail, view: View | None) -> Result:
     inputs = dict(items)
     operation: Operation = inputs["operation"]
-    system = operation.system
-    reference, static = _checked_loads(operation)
-    made = known_map(_window(inputs, view), detail)
-    seen = view or home_view(inputs)
+    window = _window(inputs, view)
+    system, static, reference = operation.system, operation.static_load, operation.reference_load
+    made, seen = known_map(window, detail), window.view
     table = resonances(system, static, operation.pulsating_load(TABLE_FACTOR))
     end_of_law = (system.largest_load - static) / reference
     charts = (
@@ -188,7 +167,7 @@ def _key_numbers(operation: Operation) -> dict[str, Any]:
     rotor = operation.model.rotor
     flutter_load = flutter(rotor, operation.spin_speed)
     return {
-        "buckling": operation.buckling_load,
+        "buckling": rotor_numbers(rotor).buckling_load,
         "fundamental": operation.fundamental_frequency,
         "flutter": flutter_load if np.isfinite(flutter_load) else None,
         "static_load": operation.static_load,

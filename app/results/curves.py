@@ -41,6 +41,7 @@ __all__ = [
     "LOADS",
     "SPEEDS",
     "LoadCase",
+    "RotorNumbers",
     "campbell",
     "curves_name",
     "flutter",
@@ -59,11 +60,29 @@ SPEEDS = 200  # points of a Campbell diagram
 LARGEST_SPEED = float(State.param.spin_speed.bounds[1])
 
 
+class RotorNumbers(NamedTuple):
+    """Numbers of a resting rotor, non-dimensional.
+
+    Parameters
+    ----------
+    buckling_load : float
+        p̄_cr.
+    fundamental_frequency : float
+        ω_n.
+    flutter_load : float
+        Of a follower load; inf where there is none.
+    """
+
+    buckling_load: float
+    fundamental_frequency: float
+    flutter_load: float
+
+
 @shared_cache(256)
-def rotor_numbers(rotor: ShaftDisk) -> tuple[float, float, float]:
-    """Return p̄_cr, ω_n and the follower flutter load, all of the resting rotor."""
+def rotor_numbers(rotor: ShaftDisk) -> RotorNumbers:
+    """Return the numbers of a resting rotor."""
     buckling = float(critical_load(rotor.shear))
-    return buckling, fundamental_frequency(lumped(rotor, 0.0)), flutter(rotor, 0.0)
+    return RotorNumbers(buckling, fundamental_frequency(lumped(rotor, 0.0)), flutter(rotor, 0.0))
 
 
 def reference_load(rotor: ShaftDisk, reference: str) -> float:
@@ -74,16 +93,16 @@ def reference_load(rotor: ShaftDisk, reference: str) -> float:
     UserError
         Where the rotor has no flutter load.
     """
-    buckling, _, flutter_at_rest = rotor_numbers(rotor)
+    numbers = rotor_numbers(rotor)
     if reference == "buckling":
-        return buckling
-    if not math.isfinite(flutter_at_rest):
+        return numbers.buckling_load
+    if not math.isfinite(numbers.flutter_load):
         pole = float(largest_exact_load(rotor.shear))
         raise UserError(
             f"This rotor has no flutter load below p̄ = {pole:.4g}, where a shaft clamped at both "
             "ends buckles and this model ends: let the load factors refer to static buckling."
         )
-    return flutter_at_rest
+    return numbers.flutter_load
 
 
 @shared_cache(256)
@@ -103,7 +122,7 @@ def largest_load(rotor: ShaftDisk) -> float:
 
 def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
     """Return the load axis: from tension to beyond buckling, and flutter if that is not too far."""
-    buckling = rotor_numbers(rotor)[0]
+    buckling = rotor_numbers(rotor).buckling_load
     pole = float(largest_exact_load(rotor.shear))
     at = flutter(rotor, spin_speed)
     far = max(1.6 * buckling, 1.2 * at if at < (1 - FLUTTER_IN_VIEW) * pole else 0.0)

@@ -11,8 +11,9 @@ from rotorstab import Resonance, floquet_solution, resonances
 from ..reading.user_error import UserError
 from ..state import State
 from .caches import shared_cache
-from .marked_point import point_floquet
-from .operation import Operation, operation_of
+from .marked_point import Point, point_floquet
+from .model import Operation
+from .operation import operation_of
 
 __all__ = ["default_marker", "place_marker"]
 
@@ -66,10 +67,7 @@ def _place(
     inside = [row for row in table.tongues if low < row.centre / fundamental < high]
     for row, digits in product(sorted(inside, key=_rank)[:_MOST_PAIRS], _DIGITS):
         centre = round(row.centre / fundamental, digits)
-        first = static, float(factors[0]) * reference, centre * fundamental
-        if point_floquet(
-            operation.model, operation.spin_speed, operation.tangency, *first
-        ).unstable:
+        if point_floquet(Point(operation, centre, float(factors[0]))).unstable:
             return centre, float(factors[0])
         unstable = floquet_solution(
             system, static, factors * reference, centre * fundamental, most_steps=_MOST_STEPS

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from rotorstab import (
-    System,
     TimeResponse,
     initial_conditions,
     time_response,
@@ -21,9 +20,18 @@ from ..reading.user_error import UserError
 from . import limits
 from .caches import shared_cache
 from .growth import Motion, motion_of
-from .model import Model
+from .model import Operation
+from .operation import check_peak
 
-__all__ = ["EDGE", "Point", "PointAnswer", "point_floquet", "solve_point"]
+__all__ = [
+    "EDGE",
+    "Point",
+    "PointAnswer",
+    "Start",
+    "accurate_floquet",
+    "point_floquet",
+    "solve_point",
+]
 
 EDGE = 8.0
 """Displacement of the tip, in the units of its start, at which it leaves the picture of the shaft.
@@ -37,6 +45,7 @@ _SAMPLES_PER_CYCLE = 10  # of the fastest whirl
 _STEPS_PER_SAMPLE = 5  # at least
 # errors of ln|μ| and of one sample of the motion above which nothing is shown
 _RATE_ERROR, _MOTION_ERROR = 1e-4, 1e-6
+_SMALLER_LOAD = "choose a smaller load factor β_d"
 _TOO_SLOW = (
     "At this frequency one period needs more steps than the server computes. Choose a higher θ/ωₙ."
 )
@@ -44,17 +53,36 @@ _TOO_SLOW = (
 
 @dataclass(frozen=True)
 class Point:
-    """Loads and frequencies of a marker, and how its motion starts.
+    """One point of the instability chart of a rotor in operation.
 
     Parameters
     ----------
-    model : Model
-    spin_speed, tangency : float
-        Ω̄ and μ.
-    static, pulsating : float
-        p̄₀ and p̄_t [EI/L²].
-    excitation : float
-        θ̄ [√(EI/(ρAL⁴))].
+    operation : Operation
+    ratio, factor : float
+        θ/ω_n and β_d.
+    """
+
+    operation: Operation
+    ratio: float
+    factor: float
+
+    @property
+    def loads(self) -> tuple[float, float]:
+        """Static and pulsating load, p̄₀ and p̄_t [EI/L²]."""
+        return self.operation.static_load, self.operation.pulsating_load(self.factor)
+
+    @property
+    def excitation(self) -> float:
+        """θ̄ [√(EI/(ρAL⁴))]."""
+        return self.operation.excitation_frequency(self.ratio)
+
+
+@dataclass(frozen=True)
+class Start:
+    """How the motion at a point starts, and for how long it is shown.
+
+    Parameters
+    ----------
     initial : str
         As `initial_conditions` names it, such as "knock" or "mode:1F".
     seed : int
@@ -63,23 +91,9 @@ class Point:
         Periods of the load that are wanted; 0 for as many as the motion needs to reach `EDGE`.
     """
 
-    model: Model
-    spin_speed: float
-    tangency: float
-    static: float
-    pulsating: float
-    excitation: float
     initial: str
     seed: int
     periods: int
-
-    def system(self) -> System:
-        """Return the rotor system."""
-        return self.model.system(self.spin_speed, self.tangency)
-
-    def undamped(self) -> System:
-        """Return the system without damping, which is what Bolotin's method is for."""
-        return self.model.undamped().system(self.spin_speed, self.tangency)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,61 +118,65 @@ class PointAnswer:
 
 
 @shared_cache(64)
-def solve_point(point: Point) -> PointAnswer:
+def solve_point(point: Point, start: Start) -> PointAnswer:
     """Return the response, Floquet's answer and the charts of a point.
 
     Raises
     ------
     UserError
-        Where one period takes more work than the server has time for.
+        Where one period takes more work than the server has time for, and where the load is past
+        the end of the stiffness law.
     """
-    system = point.system()
-    loads = point.static, point.pulsating
-    fastest = _fastest(point.model, point.spin_speed, point.tangency, point.static)
+    operation, system = point.operation, point.operation.system
+    fastest = _fastest(operation)
     if fastest > limits.MOST_CYCLES * point.excitation:
         raise UserError(
             f"The whirl makes {fastest / point.excitation:.0f} cycles in one period of this load, "
             f"more than the server computes ({limits.MOST_CYCLES}). Choose a higher θ/ωₙ."
         )
-    start = initial_conditions(system, point.static, point.initial, point.seed)
-    steps = _most_steps(point.model, system, loads)
-    floquet = point_floquet(point.model, point.spin_speed, point.tangency, *loads, point.excitation)
-    period = 2 * math.pi / point.excitation
-    if not (floquet.converged or float(floquet.error) * period < _RATE_ERROR):
-        raise UserError(_TOO_SLOW)
+    floquet = accurate_floquet(point)
+    state = initial_conditions(system, operation.static_load, start.initial, start.seed)
+    steps, period = _most_steps(point), float(floquet.period)
     samples = int(np.clip(_SAMPLES_PER_CYCLE * fastest / point.excitation, *_SAMPLES))
     samples = max(_SAMPLES[0], min(samples, steps // _STEPS_PER_SAMPLE))
     neutral = motion_of(floquet) is Motion.NEITHER
     growth = 0.0 if neutral else float(floquet.growth_rate) * period
-    periods = max(1, min(_periods(point.periods, growth), limits.MOST_SAMPLES // samples))
+    periods = max(1, min(_periods(start.periods, growth), limits.MOST_SAMPLES // samples))
     try:
         response = time_response(
-            system, *loads, point.excitation, start, periods, samples, most_steps=steps
+            system, *point.loads, point.excitation, state, periods, samples, most_steps=steps
         )
     except ValueError:
         raise UserError(_TOO_SLOW) from None
     if not response.error < _MOTION_ERROR:
         raise UserError(_TOO_SLOW)
-    if not point.periods:
+    if not start.periods:
         response = response.until(EDGE)
     charts = response_chart(response), multiplier_chart(floquet), orbit_chart(response)
     return PointAnswer(response, floquet, samples, {chart.key: chart for chart in charts})
 
 
 @shared_cache(64)
-def point_floquet(
-    model: Model,
-    spin_speed: float,
-    tangency: float,
-    static: float,
-    pulsating: float,
-    excitation: float,
-) -> FloquetSolution:
+def point_floquet(point: Point) -> FloquetSolution:
     """Return Floquet's answer at one point, with as many steps as the server has time for."""
-    system = model.system(spin_speed, tangency)
-    loads = static, pulsating
-    steps = _most_steps(model, system, loads)
-    return floquet_solution(system, *loads, excitation, most_steps=steps)
+    return floquet_solution(
+        point.operation.system, *point.loads, point.excitation, most_steps=_most_steps(point)
+    )
+
+
+def accurate_floquet(point: Point) -> FloquetSolution:
+    """Return Floquet's answer at one point where the steps suffice.
+
+    Raises
+    ------
+    UserError
+        Where they do not, and where the load is past the end of the stiffness law.
+    """
+    check_peak(point.operation, point.factor, _SMALLER_LOAD)
+    found = point_floquet(point)
+    if not (found.converged or float(found.error * found.period) < _RATE_ERROR):
+        raise UserError(_TOO_SLOW)
+    return found
 
 
 def _periods(wanted: int, growth: float) -> int:
@@ -174,17 +192,18 @@ def _periods(wanted: int, growth: float) -> int:
     return min(wanted, int(_LARGEST_GROWTH / growth)) if growth > 0 else wanted
 
 
-def _most_steps(model: Model, system: System, loads: tuple[float, float]) -> int:
+def _most_steps(point: Point) -> int:
     """Return how many steps of a period the server's one thread has time for."""
-    if system.law is None:
-        return limits.MOST_STEPS[model.kind]
-    harmonics = system.law.harmonic_count(*np.array(loads))
+    law = point.operation.system.law
+    if law is None:
+        return limits.MOST_STEPS[point.operation.model.kind]
+    harmonics = law.harmonic_count(*np.array(point.loads))
     return int(limits.LAW_STEPS / (1 + harmonics / limits.LAW_HARMONICS))
 
 
 @shared_cache(64)
-def _fastest(model: Model, spin_speed: float, tangency: float, static: float) -> float:
+def _fastest(operation: Operation) -> float:
     """Return the largest whirl frequency of the first two modes each way."""
-    values = whirl_frequencies(model.system(spin_speed, tangency), static).real
+    values = whirl_frequencies(operation.system, operation.static_load).real
     half = len(values) // 2
     return float(np.abs(values[max(0, half - 2) : half + 2]).max())

@@ -1,4 +1,4 @@
-"""Which rotor system the charts are of: the one place where a state becomes a `System`.
+"""Which rotor the charts are of, and how it is operated: here a state becomes a `System`.
 
 Nothing here imports `State` when it runs: a process that makes maps does without it.
 """
@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING
 
 from rotorstab import ShaftDisk, System, finite_element, lumped
 
+from .caches import shared_cache
+
 if TYPE_CHECKING:
     from ..state import State
 
-__all__ = ["ELEMENTS", "MODES", "Model", "model_of"]
+__all__ = ["ELEMENTS", "MODES", "Model", "Operation", "model_of"]
 
 ELEMENTS, MODES = 20, 4
 """Finite elements of the shaft, and the modes that a live chart keeps of them."""
@@ -55,6 +57,58 @@ class Model:
     def undamped(self) -> Model:
         """Return the model without damping, which is what Bolotin's method is for."""
         return replace(self, external_damping=0.0, internal_damping=0.0)
+
+
+@dataclass(frozen=True)
+class Operation:
+    """A rotor that spins under a static load, and what factors and ratios of it are shares of.
+
+    The growth map, the marked point and the lessons are of an operation. It can be pickled, and
+    two equal ones have the same results.
+
+    Parameters
+    ----------
+    model : Model
+    spin_speed, tangency : float
+        Ω̄ and μ.
+    static_load : float
+        p̄₀ [EI/L²].
+    reference_load : float
+        The load [EI/L²] of which the factors α_s and β_d are shares.
+    fundamental_frequency : float
+        ω_n [√(EI/(ρAL⁴))], of which the excitation frequencies of the charts are multiples.
+    """
+
+    model: Model
+    spin_speed: float
+    tangency: float
+    static_load: float
+    reference_load: float
+    fundamental_frequency: float
+
+    @property
+    def system(self) -> System:
+        """The system of the charts."""
+        return _system(self.model, self.spin_speed, self.tangency)
+
+    @property
+    def undamped(self) -> System:
+        """The system without damping, which is what Bolotin's method is for."""
+        return _system(self.model.undamped(), self.spin_speed, self.tangency)
+
+    def pulsating_load(self, factor: float) -> float:
+        """Return p̄_t [EI/L²] of a dynamic load factor β_d."""
+        return factor * self.reference_load
+
+    def excitation_frequency(self, ratio: float) -> float:
+        """Return θ̄ [√(EI/(ρAL⁴))] of a ratio θ/ω_n."""
+        return ratio * self.fundamental_frequency
+
+
+@shared_cache(32)
+def _system(model: Model, spin_speed: float, tangency: float) -> System:
+    """Return the system of an operation, which several charts of one answer need."""
+    return model.system(spin_speed, tangency)
 
 
 def model_of(state: State) -> Model:

@@ -7,8 +7,8 @@ import math
 from rotorstab import critical_speeds
 from rotorstab.charts import Chart, campbell_chart, load_frequency_chart
 
-from .curves import campbell, flutter, largest_load, load_cases, load_curves
-from .operation import Operation
+from .curves import campbell, flutter, largest_load, load_cases, load_curves, rotor_numbers
+from .model import Operation
 from .views import View
 
 __all__ = ["WHIRL_CHARTS", "whirl_bounds", "whirl_chart"]
@@ -39,7 +39,7 @@ def whirl_chart(key: str, operation: Operation, stiffness: str, seen: View | Non
     # the flutter load is that of the linear law, whatever law the curves are of
     has_other_law = any(case.law != "linear" for case in cases)
     limits = {
-        "buckling": operation.buckling_load,
+        "buckling": rotor_numbers(model.rotor).buckling_load,
         "flutter, linear" if has_other_law else "flutter": flutter(model.rotor, spin),
     }
     loads = load_curves(model, spin, tangency, stiffness, seen)

@@ -24,7 +24,8 @@ from rotorstab.maps.work import columns_within_work
 
 from . import limits
 from .limits import Detail, map_size
-from .model import Model
+from .model import Model, Operation
+from .views import View
 
 __all__ = ["FloquetMap", "Window", "chart_options", "floquet_map"]
 
@@ -35,31 +36,33 @@ _CLOSEST = 6.0  # columns between two tongues: nearer ones cannot be told apart
 
 @dataclass(frozen=True)
 class Window:
-    """What a growth map is of: a system, its steady load, and the window of the chart.
+    """What a growth map is of: a rotor in operation, and the part of the instability chart.
 
     Parameters
     ----------
-    model : Model
-    spin_speed, tangency : float
-        Ω̄ and μ.
-    static_load : float
-        p̄₀ [EI/L²].
-    low, high : float
-        Lowest and highest excitation frequency θ̄ [√(EI/(ρAL⁴))].
-    top : float
-        Largest pulsating load p̄_t [EI/L²].
-    bottom : float
-        Smallest one.
+    operation : Operation
+    view : View
+        Ranges of θ/ω_n and of β_d.
     """
 
-    model: Model
-    spin_speed: float
-    tangency: float
-    static_load: float
-    low: float
-    high: float
-    top: float
-    bottom: float = 0.0
+    operation: Operation
+    view: View
+
+    @property
+    def frequencies(self) -> tuple[float, float]:
+        """Lowest and highest excitation frequency θ̄ [√(EI/(ρAL⁴))]."""
+        return (
+            self.operation.excitation_frequency(self.view.left),
+            self.operation.excitation_frequency(self.view.right),
+        )
+
+    @property
+    def loads(self) -> tuple[float, float]:
+        """Smallest and largest pulsating load p̄_t [EI/L²]."""
+        return (
+            self.operation.pulsating_load(self.view.low),
+            self.operation.pulsating_load(self.view.high),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,20 +139,18 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
 
 def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
     """Return the map of a window; with `matrices` all whirls of finite elements are kept."""
-    model = window.model
-    size = map_size(model, detail, matrices)
-    across = _Axis(window.low, window.high, size.columns, size.finer)
-    up = _Axis(window.bottom, window.top, size.rows, 1)
-    if window.bottom == 0:
+    operation = window.operation
+    size = map_size(operation.model, detail, matrices)
+    across = _Axis(*window.frequencies, size.columns, size.finer)
+    up = _Axis(*window.loads, size.rows, 1)
+    if window.view.low == 0:
         up.nodes, up.pixels = np.append(0.0, up.nodes), up.pixels + 1
     whole, known, resolved = _growth(window, up.nodes, across.nodes, detail, matrices)
-    undamped = model.undamped().system(window.spin_speed, window.tangency)
+    undamped, static = operation.undamped, operation.static_load
     mask = np.zeros((size.rows, size.columns), dtype=np.bool_)
-    inside = undamped.in_charts(window.static_load + up.centres)
+    inside = undamped.in_charts(static + up.centres)
     if inside.any():
-        mask[inside] = bolotin_mask(
-            undamped, window.static_load, up.centres[inside], across.centres
-        )
+        mask[inside] = bolotin_mask(undamped, static, up.centres[inside], across.centres)
     growth = _on_pixels(whole, known, up, across)
     edges = whole.edges if whole is not None else None
     if whole is None or edges is None:
@@ -160,7 +161,7 @@ def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
     if len(frequencies) - first < 2:
         return FloquetMap(growth, mask, drawn_from=math.inf)
     lowest = float(frequencies[first])
-    if not model.is_damped:  # with damping what is unstable is wide there, and shown
+    if not operation.model.is_damped:  # with damping what is unstable is wide there, and shown
         edges, rates = edges.from_column(first), rates[:, first:]
     return FloquetMap(growth, mask, edges, rates, lowest if lowest > across.nodes[0] else 0.0)
 
@@ -173,22 +174,22 @@ def _growth(
     matrices: bool,
 ) -> tuple[StabilityChart | None, NDArray[np.bool_], float]:
     """Return the growth in columns whose load can be followed, which these are, and resolved θ̄."""
-    model = window.model
-    system = model.system(window.spin_speed, window.tangency)
+    model, static = window.operation.model, window.operation.static_load
+    system = window.operation.system
     size = map_size(model, detail, matrices)
-    whirls = np.sort(np.abs(whirl_frequencies(system, window.static_load)))
+    whirls = np.sort(np.abs(whirl_frequencies(system, static)))
     if not matrices:
         whirls = whirls[:_SLOW]
     known = _followed(model, float(whirls[-1]), frequencies, detail, matrices)
     resolved = _resolved_from(whirls, frequencies)
     if detail is Detail.COARSE or model.kind != "lumped":
         known &= frequencies >= resolved
-    inside = loads[system.in_charts(window.static_load + loads)]
+    inside = loads[system.in_charts(static + loads)]
     resolve = math.inf if matrices else resolved
     if known.any() and inside.size:
         known[known] = columns_within_work(
             system,
-            window.static_load,
+            static,
             float(inside.max()),
             frequencies[known],
             size.density,
@@ -200,7 +201,7 @@ def _growth(
         return None, known, math.inf
     chart = stability_chart(
         system,
-        window.static_load,
+        static,
         loads,
         frequencies[known],
         edges=True,

@@ -47,11 +47,11 @@ def drawn(options, detail, view):
 
 def unstable(state, view, points):
     """Return the verdict at points (θ/ω_n, β_d)."""
-    window, seen = window_of(state, view), view or home_view(state.inputs())
-    system = window.model.system(window.spin_speed, window.tangency)
-    theta = points[..., 0] * window.high / seen.right
-    load = np.maximum(points[..., 1], 0.0) * window.top / seen.high
-    return floquet_solution(system, window.static_load, load, theta).growth_rate > 1e-7
+    operation = window_of(state, view).operation
+    theta = operation.excitation_frequency(points[..., 0])
+    load = operation.pulsating_load(np.maximum(points[..., 1], 0.0))
+    solution = floquet_solution(operation.system, operation.static_load, load, theta)
+    return solution.growth_rate > 1e-7
 
 
 @pytest.mark.parametrize("name", STATES)

@@ -2,7 +2,6 @@
 
 import asyncio
 from concurrent.futures import Future
-from dataclasses import replace
 from threading import Thread
 
 import panel as pn
@@ -20,7 +19,7 @@ from app.state import State
 from tests.testing.serving import run
 
 COARSE, FULL = Detail
-WINDOW = replace(window_of(State()), spin_speed=1.2345)
+WINDOW = window_of(State(spin_speed=1.2345))
 
 
 class Page:
@@ -109,7 +108,7 @@ def test_the_full_map_is_asked_for_once_and_shown_when_it_is_there(fresh, monkey
 
 
 def test_what_was_superseded_is_never_shown(fresh, monkeypatch):
-    other = replace(WINDOW, spin_speed=2.3456)
+    other = window_of(State(spin_speed=2.3456))
 
     async def act(one, page):
         one.detail(WINDOW)
@@ -205,14 +204,14 @@ def look_ahead(monkeypatch, work, windows, ticks):
 
 
 def test_maps_of_pins_are_made_one_after_the_other(fresh, monkeypatch):
-    other = replace(WINDOW, spin_speed=2.3456)
+    other = window_of(State(spin_speed=2.3456))
     work = Here()
     assert look_ahead(monkeypatch, work, [WINDOW, other], 2) == [1, 0]
     assert work.asked == [FULL, FULL]
 
 
 def test_a_map_of_a_pin_that_cannot_be_made_does_not_keep_the_next_one_waiting(fresh, monkeypatch):
-    other = replace(WINDOW, spin_speed=2.3456)
+    other = window_of(State(spin_speed=2.3456))
     work = Here(failing=[FULL])
     look_ahead(monkeypatch, work, [WINDOW, other], 2)
     assert work.asked == [FULL, FULL]  # each of them once

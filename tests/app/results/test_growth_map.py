@@ -59,8 +59,8 @@ def random_state(seed, **options):
 
 def true_growth(window, loads, frequencies):
     """Growth at single points."""
-    system = window.model.system(window.spin_speed, window.tangency)
-    return floquet_solution(system, window.static_load, loads, frequencies)
+    operation = window.operation
+    return floquet_solution(operation.system, operation.static_load, loads, frequencies)
 
 
 DAMPING = {"internal_damping": 0.003, "external_damping": 0.02}
@@ -126,7 +126,8 @@ def test_shares_against_random_points(kind, seed):
     made = known_map(window, Detail.FULL).growth
     known = made.excitation_frequencies[np.isfinite(made.growth).any(axis=0)]
     rng, count = np.random.default_rng(seed), 200
-    theta = rng.uniform(max(known.min(), 0.02 * window.high), window.high, count)
-    share = true_growth(window, rng.uniform(0, window.top, count), theta).unstable.mean()
+    (_, high), (_, top) = window.frequencies, window.loads
+    theta = rng.uniform(max(known.min(), 0.02 * high), high, count)
+    share = true_growth(window, rng.uniform(0, top, count), theta).unstable.mean()
     slack = 4 * np.sqrt((share * (1 - share) + 0.01) / count)
     assert abs(solve(state, Detail.FULL).floquet.unstable_share - share) < slack

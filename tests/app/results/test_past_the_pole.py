@@ -103,7 +103,9 @@ def test_a_static_load_that_leaves_no_room_below_the_pole_is_refused_in_words():
 
 def test_a_marker_past_the_pole_is_refused_in_words():
     state = state_of(**PAST, marker=True, marker_factor=2.0)
-    with pytest.raises(ValueError, match=rf"{CLAMPED}.* the load reaches .*: choose a lower β_d"):
+    with pytest.raises(
+        ValueError, match=rf"{CLAMPED}.* the load reaches .*: choose a smaller load"
+    ):
         inspect(state, solve(state, Detail.COARSE))
     session = Session({key: [value] for key, value in LINK.items()})
     answer = session.respond({"type": "change", "values": {"marker": True, "marker_factor": 2.0}})
