@@ -1,8 +1,10 @@
-"""What counts as unstable: the one criterion of points, multipliers, charts, margins and outlines.
+"""What counts as unstable: the one criterion of points, multipliers and charts.
 
 `is_unstable` decides wherever a growth rate is known with its error. On charts the growth rates are
 interpolated, and `is_unstable_on_chart` says how far their error bounds count. Whirls without
-pulsation have the criterion `mean_is_unstable`.
+pulsation have the criterion `mean_is_unstable`. The outlines and edges of tongues and the margins of
+damped rotors are no verdicts but limits: roots of the growth rate, or of the distance of two
+multipliers.
 """
 
 from __future__ import annotations

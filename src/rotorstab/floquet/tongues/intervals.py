@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ..._numerics.roots import bracketed_roots
-from ..._tolerances import DOUBTFUL_IN_OUTLINE, LIVE_EDGE, SMALLEST_GROWTH, TOUCHING
+from ..._tolerances import DOUBTFUL_IN_OUTLINE, LIVE_EDGE, TOUCHING
 from ..._types import Array, Index, Mask
 from ...model.system import System
-from ..criterion import is_unstable, is_unstable_on_chart
+from ..criterion import is_unstable
 from ..interpolant.chart_interpolant import ChartInterpolant
 from .collisions import multiplier_collisions, surely_unstable
 
@@ -153,7 +153,8 @@ class _Strip(NamedTuple):
         functions = interpolant.evaluate(self.panel, loads, span)
         growth, error, approach = interpolant.growth(functions, error, span, with_approach=True)
         if interpolant.system.is_damped:
-            return growth, error, is_unstable_on_chart(growth, error, damped=True)
+            # an outline is the limit of stability: there the growth rate passes 0
+            return growth, error, np.asarray(growth > 0)
         return growth, error, is_unstable(growth, error) | (approach > 0)
 
     def _sure(self, row: Index, period: Array, growth: Array, error: Array) -> Mask:
@@ -170,7 +171,7 @@ class _Strip(NamedTuple):
                 self.panel, load[index], period, with_approach=True
             )
             if self.interpolant.system.is_damped:
-                return growth - SMALLEST_GROWTH
+                return growth
             # where two pairs grow at once the approach is not that of the pair that grows most
             grows = (approach <= 0) & is_unstable(growth, error)
             return np.where(grows, growth, approach)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..._tolerances import SMALLEST_GROWTH, VISIBLE_GROWTH
+from ..._tolerances import VISIBLE_GROWTH
 from ..._types import Array
 from ...model.system import System
 from ..point import floquet_solution
@@ -65,9 +65,10 @@ class Plane:
     def growth_counted(self) -> float:
         """Growth above which a point counts as unstable [√(EI/(ρAL⁴))].
 
-        It is that of single points where the rotor decays without pulsation.
+        It is 0 where the rotor decays without pulsation: its margin is the limit of stability, a
+        root of the growth rate, and not a verdict, which rounding would decide there.
         """
-        return SMALLEST_GROWTH if self.decays else VISIBLE_GROWTH
+        return 0.0 if self.decays else VISIBLE_GROWTH
 
     def sample(self, load: Array, frequency: Array) -> tuple[Array, Array]:
         """Return how far points exceed the limit of stability, and how close pairs are.
