@@ -2,8 +2,8 @@
 
 `is_unstable` decides wherever a growth rate is known with its error. On charts the growth rates are
 interpolated, and `is_unstable_on_chart` says how far their error bounds count. Whirls without
-pulsation have the criterion `mean_is_unstable`. The outlines and edges of tongues and the margins of
-damped rotors are no verdicts but limits: roots of the growth rate, or of the distance of two
+pulsation have the criterion `mean_is_unstable`. Outlines and edges of tongues, and the margins of
+damped rotors, are no verdicts but limits: roots of the growth rate, or of the distance of two
 multipliers.
 """
 
