@@ -131,7 +131,7 @@ def test_the_number_of_pixels_computed_again_is_bounded():
     assert (some.refined, none.refined) == (3, 0)
     changed = (some.growth != none.growth) & ~(np.isnan(some.growth) & np.isnan(none.growth))
     assert changed.sum() <= 3
-    fast = stability_chart(system, 0.9 * P, loads, theta, seed=False, refine_from=2.0 * W)
+    fast = stability_chart(system, 0.9 * P, loads, theta, find_narrow=False, refine_from=2.0 * W)
     np.testing.assert_array_equal(fast.growth[:, theta >= 2 * W], full.growth[:, theta >= 2 * W])
     np.testing.assert_array_equal(fast.growth[:, theta < 2 * W], none.growth[:, theta < 2 * W])
     assert 0 < fast.refined < full.refined
