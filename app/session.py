@@ -153,6 +153,9 @@ class Session:
 
     def _start(self, reply: Reply) -> Mapping[str, Any]:
         """Do what follows from a reply for all pages; return what the browser is sent at once."""
+        in_lesson = any(page.teaches for page in self.pages.values())
+        for page in self.pages.values():
+            page.in_lesson = in_lesson
         if reply.reset_view:
             for page in self.pages.values():
                 page.reset_view()

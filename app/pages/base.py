@@ -92,6 +92,8 @@ class Page:
     # types of messages that this page answers whichever page is in view
     takes: ClassVar[frozenset[str]] = frozenset()
     stage = Stage.COMPLETE
+    # whether a lesson runs beside the charts, which then show its step and nothing else
+    in_lesson = False
 
     def __init__(self) -> None:
         self.charts: dict[str, LiveChart] = {}
@@ -131,6 +133,11 @@ class Page:
             return None
         wanted = window, Detail.FULL
         return Need(floquet_map, wanted, partial(keep, *wanted))
+
+    @property
+    def teaches(self) -> bool:
+        """Whether this page runs a lesson beside the charts."""
+        return False
 
     def cache_key(self) -> tuple[Any, ...]:
         """Return, hashable, what besides the inputs decides what the charts show."""

@@ -100,8 +100,8 @@ class Explore(Page):
 
     @property
     def pins(self) -> Sequence[Pin]:
-        """The pins whose curves are drawn."""
-        return self._pins.solved
+        """The pins whose curves are drawn: none beside a lesson."""
+        return () if self.in_lesson else self._pins.solved
 
     def _compared(self, state: State) -> Pin | None:
         """Return the pin whose chart stands beside the present one."""

@@ -15,13 +15,13 @@ from ..lessons.evaluation import evaluate
 from ..lessons.grading import number_text, solver_answer
 from ..lessons.markdown import plain
 from ..lessons.quantities import find
-from ..lessons.show_block import POINT_PARTS, Show
-from ..live.controls import field
+from ..lessons.show_block import POINT_PARTS
+from ..live.controls import ONLY_WITH, field
 from ..results.limits import Detail
 from ..state import SYMBOLS, State
 from .base import Page, Reply
 
-__all__ = ["Lessons", "cards"]
+__all__ = ["Lessons", "cards", "describe"]
 
 _LOG = logging.getLogger("rotorstab.app")
 _NO_ANSWER = "The solver has no answer here. Go on with “Show me”."
@@ -76,11 +76,19 @@ def _asked(step: Step) -> list[str]:
     return [term.name for term in answer.terms if term.name not in given] if answer else []
 
 
-def _control(name: str, show: Show) -> dict[str, Any]:
-    """Return the declaration of a control, with the step's own range."""
-    found = field(name)
+def _control(name: str, step: Step) -> dict[str, Any]:
+    """Return the declaration of a control, with the step's own range and choices."""
+    found, show = field(name), step.show
     if name in show.sliders:
         found |= dict(zip(("low", "high", "step"), show.sliders[name], strict=True))
+    # a choice that shows another input is offered where the student may move that one, too
+    closed = {
+        choice
+        for other, (owner, choice) in ONLY_WITH.items()
+        if owner == name and other not in show.move
+    } - {step.before[name], step.after[name]}
+    if closed:
+        found["options"] = [option for option in found["options"] if option[0] not in closed]
     return found
 
 
@@ -123,7 +131,7 @@ def describe(lesson: Lesson, index: int) -> dict[str, Any]:
         "look": list(step.show.look),
         "charts": len(step.show.charts),
         "cover": list(step.show.cover),
-        "move": [_control(name, step.show) for name in step.show.move],
+        "move": [_control(name, step) for name in step.show.move],
         "free": _free(step),
         "marked": _is_marked(step),
         "asked": _asked(step),
@@ -152,6 +160,11 @@ class Lessons(Page):
     def step(self) -> Step | None:
         """The step that is running, or None."""
         return None if self._running is None else self._running[0].steps[self._running[1]]
+
+    @property
+    def teaches(self) -> bool:
+        """Whether a lesson is running."""
+        return self._running is not None
 
     def handle(self, message: Mapping[str, Any], state: State) -> Reply:
         """Begin a step, set the inputs of its Try, grade an answer, show it, or end the lesson."""

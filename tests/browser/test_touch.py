@@ -20,6 +20,8 @@ CHART = """(key) => {
   return [left + x, top + y, width, height];
 }"""
 
+PLACE = """(key) =>
+  document.querySelector(`[data-view="${key}"]`).getBoundingClientRect().left"""
 ZOOM = """(key) => {
   const walk = (view) => (view.model.name === key && view.model.x_range)
     ? view.model : [...view.children()].map(walk).find(Boolean);
@@ -92,12 +94,17 @@ def test_the_shaft_is_one_swipe_away(open_page):
     phone.touches = phone.context.new_cdp_session(phone)
     wait_for_rest(phone)
     x, y, width, height = phone.evaluate(CHART, "instability")
-    # past the middle of the row, because a slow finger that stops before it goes back
-    swipe(phone, (x + 0.95 * width, y + height / 2), (8, y + height / 2))
-    phone.wait_for_function(
-        "Math.abs(document.querySelector('[data-view=shaft]').getBoundingClientRect().left) < 20"
-    )
+    for key, start, end in (
+        ("shaft", x + 0.95 * width, 8),
+        ("instability", 100, 170),  # a short one
+        ("shaft", 200, 140),
+    ):
+        swipe(phone, (start, y + height / 2), (end, y + height / 2))
+        phone.wait_for_function(f"(key) => Math.abs(({PLACE})(key)) < 20", arg=key)
     assert phone.evaluate(ZOOM, "instability") == [0, 0]
+    # a finger that has hardly moved changes nothing
+    swipe(phone, (200, y + height / 2), (215, y + height / 2))
+    assert abs(phone.evaluate(PLACE, "shaft")) < 20
 
 
 def test_a_tap_places_the_marker(phone):

@@ -17,6 +17,7 @@ from app.lessons.evaluation import evaluate
 from app.lessons.expressions import read_condition, read_expression
 from app.lessons.library import VARIABLE, collect, read_file, read_folder
 from app.lessons.markdown import inline, plain, render, tokens
+from app.pages.lessons import describe
 from app.session import Session
 from app.state import State
 from rotorstab import BASE_CASE, growth_rate, lumped, resonances, whirl_frequencies
@@ -581,3 +582,31 @@ def test_a_goal_counts_the_sliders_of_its_step_only():
     assert not slow.right
     assert "other sliders" in slow.words
     assert grade(step, "", step.before).words == step.question.hint
+
+
+def test_a_choice_that_shows_a_slider_is_offered_with_the_slider_only():
+    """Partly follower asks for the tangency, which the step must let the student move."""
+    for lesson in LESSONS.values():
+        for index, step in enumerate(lesson.steps):
+            for control in describe(lesson, index)["move"]:
+                if control["name"] == "load_type":
+                    offered = "partly" in [value for value, _ in control["options"]]
+                    used = "partly" in (step.before["load_type"], step.after["load_type"])
+                    assert offered == (used or "tangency" in step.show.move)
+
+
+def test_pins_are_not_drawn_beside_a_lesson_and_come_back_after_it():
+    session = Session()
+    session.respond({"type": "hello"})
+    session.respond({"type": "change", "values": {"spin_speed": 0.6}})
+    session.respond({"type": "pin", "label": "mine"})
+    session.respond({"type": "change", "values": {"spin_speed": 1.2}})
+    chart = session.pages["explore"].charts["load-frequency"]
+    assert len(chart.sources["pins"].data["xs"])
+    query = session.query()
+    answer = session.respond({"type": "lesson", "lesson": "04-gyroscope", "step": 0})
+    assert answer["pins"] is None
+    assert not len(chart.sources["pins"].data["xs"])
+    assert session.query().count("mine") == query.count("mine") == 1
+    assert session.respond({"type": "lesson-end"})["pins"]
+    assert len(chart.sources["pins"].data["xs"])
