@@ -26,6 +26,7 @@ STYLES = ("page.css", "inspector.css", "shaft.css", "lessons.css", "print.css")
 # connection.js stands before Bokeh's files; each script adds to what those before it made
 SCRIPTS = (
     "messages.js",
+    "labels.js",
     "page.js",
     "layout.js",
     "history.js",
