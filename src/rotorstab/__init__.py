@@ -23,6 +23,7 @@ from .model.stiffness_law import STIFFNESS_LAWS, StiffnessLaw
 from .model.system import System, fundamental_frequency
 from .rotors.materials import MATERIALS, Material
 from .rotors.parts import AxialLoad, Bearing, Disk
+from .rotors.presets import PRESETS
 from .rotors.ross import NotCarriedOver
 from .rotors.rotor import Rotor
 from .rotors.sections import ShaftSection, Sleeve
@@ -37,6 +38,7 @@ __all__ = [
     "BASE_CASE",
     "EULER_BERNOULLI_TWIN",
     "MATERIALS",
+    "PRESETS",
     "STIFFNESS_LAWS",
     "TABLE_1_SI",
     "AxialLoad",

@@ -4,36 +4,21 @@ import math
 
 import numpy as np
 
-from rotorstab import Bearing, Disk, Material, Rotor, ShaftSection
+from rotorstab import PRESETS, Bearing, Disk, Rotor
+from rotorstab.rotors.presets import ring
 
-# M. I. Friswell, J. E. T. Penny, S. D. Garvey, A. W. Lees, Dynamics of Rotating Machines,
-# Cambridge University Press, 2010: examples 5.9.7, 5.9.9 and 6.8.1
-STEEL = Material(youngs_modulus=211e9, shear_modulus=81.2e9, density=7810.0)
-SHAFT = ShaftSection(length=1.5, outer_diameter=0.05, material=STEEL)
+FRISWELL_597 = PRESETS["two disks"]
+FRISWELL_599 = PRESETS["overhung disk"]
+FRISWELL_681 = PRESETS["thin overhung shaft"]
+SHAFT = FRISWELL_597.sections[0]
+STEEL = SHAFT.material
 
 
-def steel_disk(position: float, diameter: float, bore: float = 0.05, width: float = 0.07) -> Disk:
+def steel_disk(position: float, diameter: float) -> Disk:
     """Return a steel disk of the book."""
-    mass = STEEL.density * math.pi * (diameter**2 - bore**2) / 4 * width
-    polar = mass * (diameter**2 + bore**2) / 8
-    return Disk(position, mass, polar / 2 + mass * width**2 / 12, polar)
+    return ring(position, STEEL, diameter, 0.05, 0.07)
 
 
-FRISWELL_597 = Rotor(
-    sections=(SHAFT,),
-    disks=(steel_disk(0.5, 0.28), steel_disk(1.0, 0.35)),
-    bearings=(Bearing(0.0, kxx=1e6), Bearing(1.5, kxx=1e6)),
-)
-FRISWELL_599 = Rotor(
-    sections=(SHAFT,),
-    disks=(steel_disk(1.5, 0.35),),
-    bearings=(Bearing(0.0, kxx=1e7), Bearing(1.0, kxx=1e7)),
-)
-FRISWELL_681 = Rotor(
-    sections=(ShaftSection(length=1.5, outer_diameter=0.025, material=STEEL),),
-    disks=(Disk(1.5, mass=15.3, diametral_inertia=0.062, polar_inertia=0.120),),
-    bearings=(Bearing(0.0, kxx=1e7), Bearing(1.0, kxx=1e7)),
-)
 UNEQUAL = Rotor(
     sections=FRISWELL_597.sections,
     disks=FRISWELL_597.disks,

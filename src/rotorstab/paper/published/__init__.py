@@ -3,6 +3,7 @@
 The one list that the tests and the validation table read.
 """
 
+from .any_rotor import any_rotor
 from .literature import classical, paper
 from .multipliers import multipliers
 from .separate import separate
@@ -10,5 +11,11 @@ from .structure import Published
 
 __all__ = ["PUBLISHED", "Published"]
 
-PUBLISHED: tuple[Published, ...] = (*paper(), *classical(), *separate(), *multipliers())
+PUBLISHED: tuple[Published, ...] = (
+    *paper(),
+    *classical(),
+    *separate(),
+    *multipliers(),
+    *any_rotor(),
+)
 """Every value, in the order of the validation table."""
