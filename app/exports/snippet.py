@@ -8,17 +8,18 @@ from __future__ import annotations
 import math
 
 from rotorstab.model.stiffness import largest_exact_load
+from rotorstab.model.stiffness_law import LINEAR
 
-from ..pages.marked_point import inspect
-from ..results.analysis import BOUNDARY_ROWS, Result, solve
-from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS, load_cases
+from ..results.analysis import BOUNDARY_ROWS
+from ..results.curves import LARGEST_SPEED, LOADS, SPEEDS
 from ..results.floquet_answer import TABLE_FACTOR
 from ..results.limits import Detail, map_size
 from ..results.marked_point import EDGE
-from ..results.model import ELEMENTS, MODES, model_of
+from ..results.model import ELEMENTS, MODES, Operation
 from ..results.window import chart_options
-from ..state import INITIAL_CONDITIONS, State
+from ..state import State
 from .program import Cell
+from .program_case import MarkedPoint, ProgramCase, program_case
 from .snippet_charts import drawing_lines
 
 __all__ = ["python_cells"]
@@ -30,32 +31,34 @@ def _arguments(**values: object) -> str:
     return ", ".join(f"{name}={value!r}" for name, value in values.items())
 
 
-def _system(state: State, tangency: float, law: str, damped: bool = True) -> str:
-    """Return the call that makes the system at the present spin speed."""
+def _system(
+    operation: Operation, tangency: float, law: str | None = None, damped: bool = True
+) -> str:
+    """Return the call that makes the system of an operation, with another tangency or law."""
+    model = operation.model if damped else operation.model.undamped()
     options: dict[str, object] = {"tangency": tangency} if tangency else {}
     maker = "lumped"
-    if state.model != "lumped":
+    if model.kind != "lumped":
         maker = "finite_element"
         options |= {"elements": ELEMENTS, "modes": MODES}
-    elif law != "linear":
-        options["stiffness"] = law
-    if damped:
-        for name in ("external_damping", "internal_damping"):
-            if getattr(state, name):
-                options[name] = getattr(state, name)
+    elif (law or model.law) != LINEAR:
+        options["stiffness"] = law or model.law
+    for name in ("external_damping", "internal_damping"):
+        if getattr(model, name):
+            options[name] = getattr(model, name)
     more = f", {_arguments(**options)}" if options else ""
-    return f"{maker}(rotor, {state.spin_speed!r}{more})"
+    return f"{maker}(rotor, {operation.spin_speed!r}{more})"
 
 
-def _rotor(state: State, in_si: bool) -> str:
+def _rotor(case: ProgramCase) -> str:
     """Return the lines that make the rotor, from SI data where the charts show that shaft."""
-    if in_si:
+    state, rotor = case.state, case.operation.model.rotor
+    if case.in_si:
         data = "".join(f"    {name}={value!r},\n" for name, value in state.si_data().items())
         return (
             f"rotor, scales = ShaftDisk.from_si(  # m, Pa, kg/m³, kg, kg m²\n{data})\n"
             "hertz = scales.frequency / (2 * np.pi)  # what one unit of frequency is"
         )
-    rotor = state.rotor()
     fields = _arguments(
         shear=rotor.shear,
         disk_mass=rotor.disk_mass,
@@ -74,12 +77,12 @@ def _rotor(state: State, in_si: bool) -> str:
     )
 
 
-def _curves(state: State, result: Result) -> str:
+def _curves(case: ProgramCase) -> str:
     """Return the lines of the load–frequency chart."""
-    low, high = result.charts["load-frequency"].x_range
+    low, high = case.result.charts["load-frequency"].x_range
     systems = "".join(
-        f"    {case.name!r}: {_system(state, case.tangency, case.law)},\n"
-        for case in load_cases(state.model, state.effective_tangency(), state.stiffness)
+        f"    {curves.name!r}: {_system(case.operation, curves.tangency, curves.law)},\n"
+        for curves in case.load_cases
     )
     return (
         f"load_axis = np.linspace({low!r}, {high!r}, {LOADS})\n"
@@ -89,23 +92,23 @@ def _curves(state: State, result: Result) -> str:
     )
 
 
-def _point(state: State, result: Result) -> str:
+def _point(marked: MarkedPoint) -> str:
     """Return the lines of the marked point."""
-    found = inspect(state, result)
-    periods = math.ceil(found.response.time[-1] / found.response.period - _ROUNDING)
-    end = "" if state.periods else f".until({EDGE!r})"
-    seed = f", {round(state.seed)}" if state.initial == "noise" else ""
+    point, start, answer = marked.point, marked.start, marked.answer
+    periods = math.ceil(answer.response.time[-1] / answer.response.period - _ROUNDING)
+    end = "" if start.periods else f".until({EDGE!r})"
+    seed = f", {start.seed}" if start.initial == "noise" else ""
     return f"""\
 # inside the marked point
 point = (
     static_load,
-    {state.marker_factor!r} * reference_load,
-    {state.marker_frequency!r} * frequency,
+    {point.factor!r} * reference_load,
+    {point.ratio!r} * frequency,
 )
 floquet = floquet_solution(system, *point)
 multipliers, rate = floquet.multipliers, floquet.growth_rate
-start = initial_conditions(system, static_load, {INITIAL_CONDITIONS[state.initial]!r}{seed})
-response = time_response(system, *point, start, {periods}, {found.samples}){end}"""
+start = initial_conditions(system, static_load, {start.initial!r}{seed})
+response = time_response(system, *point, start, {periods}, {answer.samples}){end}"""
 
 
 _PRINTS = """\
@@ -136,56 +139,54 @@ def python_cells(state: State) -> list[Cell]:
     UserError
         Where these inputs have no answer.
     """
-    result = solve(state, Detail.COARSE)  # the map of growth is not needed here
-    in_si = state.units == "SI" and state.shaft_in_use()
-    damped = model_of(state).is_damped
-    unit = "The rotor in SI; what is computed is" if in_si else "It is"
+    case = program_case(state)
+    unit = "The rotor in SI; what is computed is" if case.in_si else "It is"
     cells = [
         Cell(f"What rotorstab shows, as Python. {unit} non-dimensional: L = EI = ρA = 1.", False),
-        Cell(_model_lines(state, in_si, damped)),
-        Cell(_whirl_lines(state, result)),
-        Cell(_instability(state, result, "undamped" if damped else "system")),
+        Cell(_model_lines(case)),
+        Cell(_whirl_lines(case)),
+        Cell(_instability(case)),
     ]
-    if state.marker:
-        cells.append(Cell(_point(state, result)))
-    cells.append(Cell(_PRINTS_SI if in_si else _PRINTS))
-    return [*cells, Cell(drawing_lines(state, in_si))]
+    if case.marked is not None:
+        cells.append(Cell(_point(case.marked)))
+    cells.append(Cell(_PRINTS_SI if case.in_si else _PRINTS))
+    return [*cells, Cell(drawing_lines(case))]
 
 
-def _model_lines(state: State, in_si: bool, damped: bool) -> str:
+def _model_lines(case: ProgramCase) -> str:
     """Return the lines that import what is used and make the rotor and its system."""
-    tangency = state.effective_tangency()
+    operation = case.operation
     undamped = (
-        f"undamped = {_system(state, tangency, state.law, damped=False)}"
+        f"undamped = {_system(operation, operation.tangency, damped=False)}"
         "  # Bolotin's method knows no damping\n"
-        if damped
+        if operation.model.is_damped
         else ""
     )
     return f"""\
 import numpy as np
 
 from rotorstab import (
-{_imports(state, in_si)})
+{_imports(case)})
 
-{_rotor(state, in_si)}
-system = {_system(state, tangency, state.law)}
+{_rotor(case)}
+system = {_system(operation, operation.tangency)}
 {undamped}\
-reference_load = {_reference_load(state)}  # what a load factor of 1 stands for
-static_load = {state.static_load_factor!r} * reference_load
+reference_load = {_reference_load(case)}  # what a load factor of 1 stands for
+static_load = {case.state.static_load_factor!r} * reference_load
 frequency = fundamental_frequency(lumped(rotor, 0.0))  # ω_n"""
 
 
-def _whirl_lines(state: State, result: Result) -> str:
+def _whirl_lines(case: ProgramCase) -> str:
     """Return the lines of the load–frequency chart and of the Campbell diagram."""
     return f"""\
 # whirl frequencies at the static load, over load, and over spin speed
 whirl = whirl_frequencies(system, static_load)
-{_curves(state, result)}\
+{_curves(case)}\
 campbell = campbell_diagram(system, np.linspace(0.0, {LARGEST_SPEED!r}, {SPEEDS}), static_load)
 critical = critical_speeds(system, static_load)"""
 
 
-def _imports(state: State, in_si: bool) -> str:
+def _imports(case: ProgramCase) -> str:
     """Return the names that the program imports, a line each."""
     names = {"ShaftDisk", "bolotin_chart", "campbell_diagram", "critical_load"}
     names |= {
@@ -197,36 +198,36 @@ def _imports(state: State, in_si: bool) -> str:
         "resonances",
     }
     names |= {"stability_chart", "whirl_frequencies"}
-    if state.model != "lumped":
+    if case.operation.model.kind != "lumped":
         names.add("finite_element")
-    if state.marker:
+    if case.marked is not None:
         names |= {"floquet_solution", "initial_conditions", "time_response"}
     return "".join(f"    {name},\n" for name in sorted(names))
 
 
-def _reference_load(state: State) -> str:
-    if state.reference == "buckling":
+def _reference_load(case: ProgramCase) -> str:
+    if case.state.reference == "buckling":
         return "float(critical_load(rotor.shear))"
     # up to the pole of the exact stiffness, as on the page
-    pole = float(largest_exact_load(state.shear))
+    pole = float(largest_exact_load(case.operation.model.rotor.shear))
     return f"flutter_load(lumped(rotor, 0.0, tangency=1.0), {pole!r})"
 
 
-def _instability(state: State, result: Result, undamped: str) -> str:
-    """Return the lines of the instability chart; `undamped` names the system without damping."""
-    model = model_of(state)
+def _instability(case: ProgramCase) -> str:
+    """Return the lines of the instability chart."""
+    model, view = case.operation.model, case.view
     rows, columns, *_ = map_size(model, Detail.FULL)
     options = _arguments(**chart_options(model, Detail.FULL))
-    largest = "largest_load"
-    if math.isfinite(result.floquet.largest_computed_factor):  # the exact law ends inside the chart
+    undamped, largest = "undamped" if model.is_damped else "system", "largest_load"
+    if math.isfinite(case.result.floquet.largest_computed_factor):  # the law ends inside the chart
         largest = f"min({largest}, system.largest_load - static_load)"
     return f"""\
 # Bolotin's boundaries: bolotin.frequency / frequency over bolotin.pulsating_load / reference_load
-largest_load = {state.largest_factor!r} * reference_load
+largest_load = {view.high!r} * reference_load
 bolotin = bolotin_chart({undamped}, static_load, {largest}, {BOUNDARY_ROWS})
 
 # Floquet's growth rates on the chart's pixels, and the true tongues at a load factor of 0.1
-low, high = {state.lowest_frequency!r} * frequency, {state.highest_frequency!r} * frequency
+low, high = {view.left!r} * frequency, {view.right!r} * frequency
 loads = (np.arange({rows}) + 0.5) / {rows} * largest_load
 frequencies = low + (np.arange({columns}) + 0.5) / {columns} * (high - low)
 stability = stability_chart(

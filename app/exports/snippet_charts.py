@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..results.analysis import GROWTH_TOPS
-from ..results.curves import load_cases
-from ..state import State
+from ..results.marked_point import Point
+from .program_case import ProgramCase
 
 __all__ = ["drawing_lines"]
 
@@ -12,59 +12,59 @@ FILE = "rotorstab-view.html"
 _REPLACE = "from dataclasses import replace\n\n"
 
 
-def drawing_lines(state: State, in_si: bool) -> str:
-    """Return the lines that draw what the program has computed.
-
-    Parameters
-    ----------
-    state : State
-    in_si : bool
-        Whether the charts show the shaft in SI.
-    """
-    names = ["GrowthGrid", "campbell_chart", "instability_chart", "load_frequency_chart"]
-    if in_si:
-        names += ["in_seconds", "in_si"] if state.marker else ["in_si"]
-    if state.marker:
-        names += ["marker_layer", "multiplier_chart", "orbit_chart", "response_chart"]
-    imports = "".join(f"    {name},\n" for name in sorted(names, key=_import_order))
-    cases = load_cases(state.model, state.effective_tangency(), state.stiffness)
-    # the flutter load is that of the linear law, whatever law the curves are of
-    flutter = "flutter, linear" if any(case.law == "exact" for case in cases) else "flutter"
-    per_period, top = state.growth_unit == "per period", GROWTH_TOPS[state.growth_unit]
-    instability = _marked(state) if state.marker else ""
+def drawing_lines(case: ProgramCase) -> str:
+    """Return the lines that draw what the program has computed."""
+    view, spin = case.view, case.operation.spin_speed
+    growth_unit = case.state.growth_unit
+    buckling, flutter = case.marked_loads
+    instability = "" if case.marked is None else _marked(case.marked.point)
     return f"""\
 # the charts, as the page draws them
-{_REPLACE if state.marker else ""}from rotorstab.charts import (
-{imports})
+{"" if case.marked is None else _REPLACE}from rotorstab.charts import (
+{_imports(case)})
 
 growth = GrowthGrid(
     stability.growth,
     stability.unstable,
     None,
-    ({state.lowest_frequency!r}, {state.highest_frequency!r}, 0.0, {state.largest_factor!r}),
-    {per_period!r},
+    ({view.left!r}, {view.right!r}, 0.0, {view.high!r}),
+    {growth_unit == "per period"!r},
     stability.edges,
     stability.growth[: len(stability.edges.pulsating_loads)],
-    {top!r},
+    {GROWTH_TOPS[growth_unit]!r},
 )
 limits = {{
-    "buckling": float(critical_load(rotor.shear)),
-    "{flutter}": flutter_load(lumped(rotor, {state.spin_speed!r}, tangency=1.0)),
+    "{buckling}": float(critical_load(rotor.shear)),
+    "{flutter}": flutter_load(lumped(rotor, {spin!r}, tangency=1.0)),
 }}
 charts = [
     instability_chart(
         bolotin,
         frequency,
         reference_load,
-        ({state.lowest_frequency!r}, {state.highest_frequency!r}),
-        {state.largest_factor!r},
+        ({view.left!r}, {view.right!r}),
+        {view.high!r},
         growth,
         [(tongue.centre / frequency, tongue.name) for tongue in tongues],
     ),
     load_frequency_chart(load_curves, static_load, limits),
-    campbell_chart(campbell, {state.spin_speed!r}, critical),
+    campbell_chart(campbell, {spin!r}, critical),
 ]
-{instability}{_SI if in_si else ""}{_point(in_si) if state.marker else ""}
+{instability}{_SI if case.in_si else ""}{"" if case.marked is None else _point(case.in_si)}
+{_VIEW}"""
+
+
+def _imports(case: ProgramCase) -> str:
+    """Return the names of charts that the program imports, a line each."""
+    names = ["GrowthGrid", "campbell_chart", "instability_chart", "load_frequency_chart"]
+    if case.in_si:
+        names += ["in_si"] if case.marked is None else ["in_seconds", "in_si"]
+    if case.marked is not None:
+        names += ["marker_layer", "multiplier_chart", "orbit_chart", "response_chart"]
+    return "".join(f"    {name},\n" for name in sorted(names, key=_import_order))
+
+
+_VIEW = f"""\
 try:
     import holoviews as hv
 
@@ -84,9 +84,9 @@ def _import_order(name: str) -> tuple[bool, str]:
     return name[0].islower(), name
 
 
-def _marked(state: State) -> str:
+def _marked(point: Point) -> str:
     return f"""\
-marker = marker_layer({state.marker_frequency!r}, {state.marker_factor!r})
+marker = marker_layer({point.ratio!r}, {point.factor!r})
 charts[0] = replace(charts[0], layers=(*charts[0].layers, marker))
 """
 

@@ -11,10 +11,10 @@ from rotorstab import TimeResponse, in_bolotin_region
 from rotorstab.charts import Chart, Layer, in_seconds, marker_layer, pair_layers
 
 from ..results.analysis import Result
-from ..results.marked_point import Point, Start, solve_point
+from ..results.marked_point import marked_point, solve_point
 from ..results.nearest import nearest_pair
 from ..results.operation import operation_of
-from ..state import INITIAL_CONDITIONS, State
+from ..state import State
 from ..words.point import Fact, describe, point_sentence
 from ..words.si import shown_scales
 from .animation import animation
@@ -41,9 +41,6 @@ class Inspection:
         The point in numbers, for the page.
     motion : dict
         What the animation needs, plain values.
-    response : TimeResponse
-    samples : int
-        Of the response, in one period.
     """
 
     charts: dict[str, Chart]
@@ -51,8 +48,6 @@ class Inspection:
     explanation: str
     facts: list[Fact]
     motion: dict[str, Any]
-    response: TimeResponse
-    samples: int
 
 
 def with_marks(charts: dict[str, Chart], state: State, result: Result) -> dict[str, Chart]:
@@ -82,9 +77,7 @@ def inspect(state: State, result: Result) -> Inspection:
     UserError
         Where this point has no answer.
     """
-    point = Point(operation_of(state), state.marker_frequency, state.marker_factor)
-    seed = round(state.seed) if state.initial == "noise" else 0
-    start = Start(INITIAL_CONDITIONS[state.initial], seed, round(state.periods))
+    point, start = marked_point(state)
     answer = solve_point(point, start)
     bolotin = bool(in_bolotin_region(point.operation.undamped, *point.loads, point.excitation))
     pair = nearest_pair(result.floquet.table, point.excitation)
@@ -101,8 +94,6 @@ def inspect(state: State, result: Result) -> Inspection:
         explanation=explanation,
         facts=facts,
         motion=animation(point, answer.response, answer.samples, scales),
-        response=answer.response,
-        samples=answer.samples,
     )
 
 

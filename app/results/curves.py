@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -27,6 +27,7 @@ from rotorstab import (
 )
 from rotorstab._tolerances import CURVES_SHORT_OF_POLE, FLUTTER_IN_VIEW
 from rotorstab.model.stiffness import largest_exact_load
+from rotorstab.model.stiffness_law import LINEAR
 from rotorstab.whirl.mode_names import mode_names, named_frequencies
 
 from ..reading.user_error import UserError
@@ -48,6 +49,7 @@ __all__ = [
     "largest_load",
     "load_cases",
     "load_curves",
+    "marked_loads",
     "reference_load",
     "rotor_numbers",
     "whirl_numbers",
@@ -134,7 +136,7 @@ def _loads(rotor: ShaftDisk, spin_speed: float) -> np.ndarray:
 
 def curves_name(load: str, law: str) -> str:
     """Return the name of a set of load–frequency curves, which is also its key in `ROLES`."""
-    return load if law == "linear" else f"{load} {law}"
+    return load if law == LINEAR else f"{load} {law}"
 
 
 class LoadCase(NamedTuple):
@@ -177,8 +179,29 @@ def load_cases(model: str, tangency: float, stiffness: str) -> list[LoadCase]:
         tangencies["partly"] = tangency
     laws = tuple(STIFFNESS_LAWS) if stiffness == "both" else (stiffness,)
     if model != "lumped":
-        laws = ("linear",)  # the distributed shaft has no other
+        laws = (LINEAR,)  # the distributed shaft has no other
     return [LoadCase(load_type, mu, law) for law in laws for load_type, mu in tangencies.items()]
+
+
+def marked_loads(
+    rotor: ShaftDisk, spin_speed: float, cases: Sequence[LoadCase]
+) -> dict[str, float]:
+    """Return the critical loads that the load–frequency chart marks, by name.
+
+    Parameters
+    ----------
+    rotor : ShaftDisk
+    spin_speed : float
+        Ω̄.
+    cases : sequence of LoadCase
+        What the curves are of. The flutter load is that of the linear law, and its name says so
+        where there are curves of another one.
+    """
+    has_other_law = any(case.law != LINEAR for case in cases)
+    return {
+        "buckling": rotor_numbers(rotor).buckling_load,
+        f"flutter, {LINEAR}" if has_other_law else "flutter": flutter(rotor, spin_speed),
+    }
 
 
 @shared_cache(128)

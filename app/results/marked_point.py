@@ -17,11 +17,12 @@ from rotorstab.charts import Chart, multiplier_chart, orbit_chart, response_char
 from rotorstab.floquet.point import FloquetSolution, floquet_solution
 
 from ..reading.user_error import UserError
+from ..state import INITIAL_CONDITIONS, State
 from . import limits
 from .caches import shared_cache
 from .growth import Motion, motion_of
 from .model import Operation
-from .operation import check_peak
+from .operation import check_peak, operation_of
 
 __all__ = [
     "EDGE",
@@ -29,6 +30,7 @@ __all__ = [
     "PointAnswer",
     "Start",
     "accurate_floquet",
+    "marked_point",
     "point_floquet",
     "solve_point",
 ]
@@ -161,6 +163,21 @@ def point_floquet(point: Point) -> FloquetSolution:
     """Return Floquet's answer at one point, with as many steps as the server has time for."""
     return floquet_solution(
         point.operation.system, *point.loads, point.excitation, most_steps=_most_steps(point)
+    )
+
+
+def marked_point(state: State) -> tuple[Point, Start]:
+    """Return the marked point of the present inputs, and how its motion starts.
+
+    Raises
+    ------
+    UserError
+        Where the rotor has no load that the load factors refer to.
+    """
+    seed = round(state.seed) if state.initial == "noise" else 0
+    return (
+        Point(operation_of(state), state.marker_frequency, state.marker_factor),
+        Start(INITIAL_CONDITIONS[state.initial], seed, round(state.periods)),
     )
 
 

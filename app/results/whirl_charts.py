@@ -7,7 +7,7 @@ import math
 from rotorstab import critical_speeds
 from rotorstab.charts import Chart, campbell_chart, load_frequency_chart
 
-from .curves import campbell, flutter, largest_load, load_cases, load_curves, rotor_numbers
+from .curves import campbell, largest_load, load_cases, load_curves, marked_loads
 from .model import Operation
 from .views import View
 
@@ -36,12 +36,7 @@ def whirl_chart(key: str, operation: Operation, stiffness: str, seen: View | Non
         critical = critical_speeds(operation.system, operation.static_load)
         return campbell_chart(curves, spin, critical, ranges)
     cases = load_cases(model.kind, tangency, stiffness)
-    # the flutter load is that of the linear law, whatever law the curves are of
-    has_other_law = any(case.law != "linear" for case in cases)
-    limits = {
-        "buckling": rotor_numbers(model.rotor).buckling_load,
-        "flutter, linear" if has_other_law else "flutter": flutter(model.rotor, spin),
-    }
+    limits = marked_loads(model.rotor, spin, cases)
     loads = load_curves(model, spin, tangency, stiffness, seen)
     return load_frequency_chart(loads, operation.static_load, limits, ranges)
 

@@ -18,7 +18,7 @@ from .._numerics.chebyshev import chebyshev_angles, coefficient_weights
 from .._types import Array
 from .stiffness import exact_stiffness, largest_exact_load, refuse_poles, second_exact_pole
 
-__all__ = ["STIFFNESS_LAWS", "StiffnessLaw", "exact_law"]
+__all__ = ["LINEAR", "STIFFNESS_LAWS", "StiffnessLaw", "exact_law"]
 
 _ROUNDING_LOG = 37.0  # −ln of the rounding error, 1e-16: a smaller part of a sum does not show
 _SAMPLES_TOGETHER = 1 << 15  # evaluations of K at a time, which take some 10 MB
@@ -147,8 +147,11 @@ def exact_law(shear: float, tangency: float) -> StiffnessLaw:
     )
 
 
+LINEAR = "linear"
+"""The name of the law of Eq. (9)."""
+
 STIFFNESS_LAWS: dict[str, Callable[[float, float], StiffnessLaw | None]] = {
-    "linear": lambda shear, tangency: None,
+    LINEAR: lambda shear, tangency: None,
     "exact": exact_law,
 }
 """Every stiffness law by its name: a function of Φ and μ.
