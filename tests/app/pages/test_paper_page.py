@@ -11,6 +11,8 @@ from app.state import State
 from rotorstab.drawing import screen
 from rotorstab.paper import FIGURES, FLOQUET_FIGURES, paper_figure
 
+pytestmark = pytest.mark.usefixtures("shared_paper")
+
 
 @pytest.fixture
 def paper():
