@@ -8,7 +8,8 @@ from hypothesis import HealthCheck, settings
 
 from tests.testing import paper
 from tests.testing.browser import FLAGS, HELP, find_browser
-from tests.testing.dashboard import open_dashboard, reset
+from tests.testing.dashboard import PHONE, open_dashboard, reset
+from tests.testing.page import show_chart, wait_for_rest
 from tests.testing.serving import Server
 
 # no test asserts a time, and machines of a CI are slow and shared
@@ -100,5 +101,29 @@ def page(kept_page, dashboard):
     # a test that failed may have left another medium
     page.emulate_media(media="screen", forced_colors="none", reduced_motion="reduce")
     reset(page)
+    yield page
+    watch.check(dashboard)
+
+
+@pytest.fixture(scope="session")
+def kept_phone(browser, dashboard):
+    """One page at 390 px with touch for all tests of phones."""
+    context, page, watch = open_dashboard(browser, dashboard, 390, 844, **PHONE)
+    page.touches = context.new_cdp_session(page)
+    yield page, watch
+    context.close()
+
+
+@pytest.fixture
+def phone(kept_phone, dashboard):
+    """The page at 390 px with touch and with every input at its default."""
+    page, watch = kept_phone
+    reset(page)
+    # the full picture's sentence is longer, and what stands below it moves
+    page.evaluate("rotorstab.send({ type: 'settle' })")
+    page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
+    wait_for_rest(page)
+    page.evaluate("scrollTo(0, 0)")
+    show_chart(page, "instability")
     yield page
     watch.check(dashboard)

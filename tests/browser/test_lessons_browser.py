@@ -10,12 +10,11 @@ LESSON = library().lessons["04-gyroscope"]
 RIGHT = solution(LESSON.steps[0])
 
 
-def open_lesson(open_page, **options):
-    page = open_page(path="/app#lessons", **options)
+def open_lesson(page):
+    visit(page, "lessons")
     page.locator("h3 a", has_text=LESSON.title).focus()
     page.keyboard.press("Enter")
     page.locator(".lesson").wait_for(state="visible")
-    return page
 
 
 def answer(page, choice):
@@ -28,8 +27,8 @@ def heading(page):
     return page.locator('[data-lesson="heading"]')
 
 
-def test_a_lesson_from_a_wrong_answer_to_a_reload(open_page):
-    page = open_lesson(open_page)
+def test_a_lesson_from_a_wrong_answer_to_a_reload(page):
+    open_lesson(page)
     page.wait_for_function("document.activeElement.id === 'lesson-title'")
     heading(page).get_by_text(LESSON.steps[0].title).wait_for()
     for part in ("try-part", "see-part"):
@@ -91,13 +90,14 @@ def test_spoilt_progress_is_no_obstacle(page, stored):
 
 
 @pytest.mark.parametrize(
-    ("width", "scheme"), [(390, "dark"), pytest.param(1280, "light", marks=pytest.mark.long)]
+    ("width", "theme"), [(390, "dark"), pytest.param(1280, "light", marks=pytest.mark.long)]
 )
-def test_the_list_and_a_lesson_have_no_accessibility_fault(open_page, width, scheme):
+def test_the_list_and_a_lesson_have_no_accessibility_fault(page, width, theme):
     from axe_playwright_python.sync_playwright import Axe
 
-    page = open_page(path="/app#lessons", width=width, color_scheme=scheme)
-    page.wait_for_function("rotorstab.last.page === 'lessons'")
+    page.set_viewport_size({"width": width, "height": 900})
+    page.evaluate("(theme) => rotorstab.setTheme(theme)", theme)
+    visit(page, "lessons")
     found = Axe().run(page)
     assert found.violations_count == 0, found.generate_report()
     page.locator("h3 a", has_text=LESSON.title).click()

@@ -64,8 +64,7 @@ def test_zoom_survives_a_slider_and_reset_zoom_restores(page):
     agrees(page)
 
 
-def test_the_theme_button_recolours_page_and_charts_and_is_remembered(open_page):
-    page = open_page()
+def test_the_theme_button_recolours_page_and_charts_and_is_remembered(page):
     ground = "getComputedStyle(document.body).backgroundColor"
     # the charts take the page's colours a little after they are made, and with the button at once
     page.get_by_role("button", name="Dark").click()

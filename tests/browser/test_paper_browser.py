@@ -18,10 +18,16 @@ def drawn(page, number):
     wait_for_rest(page)
 
 
+def show(page, fragment, number):
+    """Go to a figure by its address on a page that is open, and wait until it is drawn."""
+    page.evaluate("(fragment) => { location.hash = fragment; }", fragment)
+    drawn(page, number)
+
+
 @pytest.mark.parametrize(("width", "height"), [(1366, 768), (1920, 1080)])
-def test_a_figure_fills_its_card_on_one_screen(open_page, width, height):
-    page = open_page(width, height, path="/app#paper")
-    drawn(page, 6)
+def test_a_figure_fills_its_card_on_one_screen(page, width, height):
+    page.set_viewport_size({"width": width, "height": height})
+    show(page, "paper", 6)
     assert not page.locator("#sidebar").is_visible()
     card = page.locator(".card.figure").bounding_box()
     assert card["width"] > width - 40
@@ -42,9 +48,8 @@ def test_a_figure_fills_its_card_on_one_screen(open_page, width, height):
         assert abs(own[2] - other[2]) < 2
 
 
-def test_the_title_stands_once_and_both_methods_are_named(open_page):
-    page = open_page(path="/app#paper")
-    drawn(page, 6)
+def test_the_title_stands_once_and_both_methods_are_named(page):
+    show(page, "paper", 6)
     words = page.locator(".card.figure").inner_text()
     assert words.count("Effect of the static load factor") == 1
     assert words.count("Bolotin’s method (the paper)") == 3
@@ -74,9 +79,9 @@ def test_the_address_names_what_is_not_usual(open_page):
     assert page.evaluate("location.hash") == "#paper/3"
 
 
-def test_a_name_in_the_legend_hides_its_curves(open_page):
-    page = open_page(390, 844, path="/app#paper/9/paper-only")
-    drawn(page, 9)
+def test_a_name_in_the_legend_hides_its_curves(page):
+    page.set_viewport_size({"width": 390, "height": 844})
+    show(page, "paper/9/paper-only", 9)
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     before = len(shown(page)["figure-a"]["layers"][1]["xs"])
     button = page.locator("[data-paper=legend]").get_by_role("button", name="follower force")

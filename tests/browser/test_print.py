@@ -33,8 +33,8 @@ def printed(page):
     )
 
 
-def test_explore_is_printed_as_a_sheet_in_light_colours(open_page):
-    page = open_page(color_scheme="dark")
+def test_explore_is_printed_as_a_sheet_in_light_colours(page):
+    page.get_by_role("button", name="Dark").click()
     page.evaluate("rotorstab.change('marker', true)")
     settle(page, "marker", True)
     page.evaluate("rotorstab.send({ type: 'pin', label: '' })")

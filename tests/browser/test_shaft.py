@@ -40,8 +40,7 @@ def test_the_shaft_moves_at_once_and_sends_no_message(open_page):
     assert sent  # the session does hear what the page sends
 
 
-def test_growth_leaves_the_picture_and_begins_again_and_a_stable_motion_stays_small(open_page):
-    page = open_page(reduced_motion="no-preference")
+def test_growth_leaves_the_picture_and_begins_again_and_a_stable_motion_stays_small(page):
     page.locator(".shaft-side").scroll_into_view_if_needed()
     place(page, 1.68, 0.5)
     page.locator(".shaft-speed").select_option("4")
@@ -130,8 +129,7 @@ def test_the_marker_is_dragged_and_moved_by_keys_and_all_follows(page):
     page.wait_for_function("rotorstab.last.values.marker_frequency === 1.68")
 
 
-def test_who_wants_no_motion_sees_it_paused(open_page):
-    page = open_page()
+def test_who_wants_no_motion_sees_it_paused(page):
     settle(page)
     assert page.evaluate("rotorstab.motion.state.playing") is False
     assert page.locator(".shaft-play").inner_text() == "Play"

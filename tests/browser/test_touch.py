@@ -4,11 +4,9 @@ import pytest
 
 from app.results.analysis import CHARTS
 from app.state import State
-from tests.testing.dashboard import open_dashboard, reset
-from tests.testing.page import wait_for_rest
+from tests.testing.page import show_chart, wait_for_rest
 
 pytestmark = pytest.mark.browser
-PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 2}
 
 CHART = """(key) => {
   const walk = (view) => (view.model.type === "Figure" && view.model.name === key)
@@ -30,30 +28,6 @@ ZOOM = """(key) => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def kept_phone(browser, dashboard):
-    """One page at 390 px with touch for all tests: opening it takes seconds."""
-    context, page, watch = open_dashboard(browser, dashboard, 390, 844, **PHONE)
-    page.touches = context.new_cdp_session(page)
-    yield page, watch
-    context.close()
-
-
-@pytest.fixture
-def phone(kept_phone, dashboard):
-    """The page at 390 px with touch and with every input at its default."""
-    page, watch = kept_phone
-    reset(page)
-    # the full picture's sentence is longer, and what stands below it moves
-    page.evaluate("rotorstab.send({ type: 'settle' })")
-    page.wait_for_function("rotorstab.last.settled && Bokeh.documents[0].is_idle")
-    wait_for_rest(page)
-    page.evaluate("scrollTo(0, 0)")
-    go_to(page, "instability")
-    yield page
-    watch.check(dashboard)
-
-
 def swipe(page, start, end, steps=8):
     """Move one finger from a point to another."""
     places = [
@@ -69,18 +43,9 @@ def swipe(page, start, end, steps=8):
     wait_for_rest(page)  # it may go on scrolling
 
 
-NAMES = {"instability": "Instability", "load-frequency": "Load", "campbell": "Campbell"}
-
-
-def go_to(phone, key):
-    """Bring one chart of the row into view by its name."""
-    phone.get_by_role("navigation", name="Charts").get_by_role("button", name=NAMES[key]).tap()
-    wait_for_rest(phone)  # it scrolls
-
-
 def test_a_swipe_over_a_chart_scrolls_the_page(phone):
     for key in CHARTS:
-        go_to(phone, key)
+        show_chart(phone, key)
         phone.evaluate("scrollTo(0, 0)")
         x, y, width, height = phone.evaluate(CHART, key)
         before = phone.evaluate("scrollY")
@@ -89,10 +54,7 @@ def test_a_swipe_over_a_chart_scrolls_the_page(phone):
         assert phone.evaluate(ZOOM, key) == [0, 0], key
 
 
-def test_the_shaft_is_one_swipe_away(open_page):
-    phone = open_page(390, 844, **PHONE)
-    phone.touches = phone.context.new_cdp_session(phone)
-    wait_for_rest(phone)
+def test_the_shaft_is_one_swipe_away(phone):
     x, y, width, height = phone.evaluate(CHART, "instability")
     for key, start, end in (
         ("shaft", x + 0.95 * width, 8),
@@ -159,7 +121,7 @@ def test_sliders_and_menus_work_under_a_finger(phone):
     dialog.get_by_role("button", name="Close").tap()
 
     # a native menu: it has the focus, and nothing lies over it
-    go_to(phone, "campbell")
+    show_chart(phone, "campbell")
     menu = phone.locator("select.export[data-chart=campbell]")
     menu.scroll_into_view_if_needed()
     assert menu.bounding_box()["height"] >= 24

@@ -2,27 +2,9 @@
 
 import pytest
 
-from tests.testing.dashboard import open_dashboard, reset
 from tests.testing.page import box_of, drag, open_groups, settle, wait_for_address, wait_for_value
 
 pytestmark = pytest.mark.browser
-
-
-@pytest.fixture(scope="module")
-def own_page(browser, dashboard):
-    """One page for the tests of this file: a browser counts no more than 50 earlier entries."""
-    context, page, watch = open_dashboard(browser, dashboard)
-    yield page, watch
-    context.close()
-
-
-@pytest.fixture
-def page(own_page, dashboard):
-    """A page with few earlier steps."""
-    page, watch = own_page
-    reset(page)
-    yield page
-    watch.check(dashboard)
 
 
 def type_in(page, name, text):

@@ -2,21 +2,19 @@
 
 import pytest
 
-from tests.testing.dashboard import open_dashboard
 from tests.testing.page import FRAME, settle, shown, wait_for_rest
 
 pytestmark = pytest.mark.browser
 KEYS = ("instability", "load-frequency", "campbell")
 
 
-@pytest.fixture(scope="module")
-def desktop(browser, dashboard):
+@pytest.fixture
+def desktop(page):
     """The page on a laptop, where nothing scrolls."""
-    context, page, watch = open_dashboard(browser, dashboard, 1366, 768)
+    page.set_viewport_size({"width": 1366, "height": 768})
     settle(page)
-    yield page
-    watch.check(dashboard)
-    context.close()
+    wait_for_rest(page)
+    return page
 
 
 def ranges(page, key):
@@ -28,7 +26,7 @@ def wheel(page, key, turn, share=0.3):
     x, y, width, height = page.evaluate(FRAME, key)
     page.mouse.move(x + share * width, y + 0.3 * height)
     page.mouse.wheel(0, turn)
-    page.wait_for_timeout(50)
+    page.evaluate("() => new Promise(requestAnimationFrame)")
 
 
 @pytest.mark.parametrize("key", KEYS)
@@ -74,9 +72,10 @@ def test_the_wheel_zooms_where_nothing_scrolls(desktop, key):
     assert ranges(desktop, key) == whole
 
 
-def test_the_wheel_scrolls_a_page_that_is_longer_than_the_window(open_page):
-    page = open_page(1100, 700)
+def test_the_wheel_scrolls_a_page_that_is_longer_than_the_window(page):
+    page.set_viewport_size({"width": 1100, "height": 700})
     settle(page)
+    wait_for_rest(page)
     whole = ranges(page, "instability")
     wheel(page, "instability", 120)
     page.wait_for_function("scrollY > 50")
@@ -90,11 +89,7 @@ def test_the_wheel_scrolls_a_page_that_is_longer_than_the_window(open_page):
     assert page.evaluate("scrollY") == 0
 
 
-def test_two_fingers_zoom_and_one_scrolls(open_page):
-    phone = open_page(390, 844, has_touch=True, is_mobile=True, device_scale_factor=2)
-    settle(phone)
-    wait_for_rest(phone)
-    touches = phone.context.new_cdp_session(phone)
+def test_two_fingers_zoom_and_one_scrolls(phone):
     x, y, width, height = phone.evaluate(FRAME, "instability")
     middle = x + width / 2, y + 0.3 * height
     marker = phone.evaluate("rotorstab.last.values.marker_frequency")
@@ -102,7 +97,7 @@ def test_two_fingers_zoom_and_one_scrolls(open_page):
     def touch(kind, gap):
         points = [{"x": middle[0] + side * gap, "y": middle[1], "id": side} for side in (-1, 1)]
         points = [point | {"id": number} for number, point in enumerate(points)]
-        touches.send(
+        phone.touches.send(
             "Input.dispatchTouchEvent",
             {"type": kind, "touchPoints": points if kind != "touchEnd" else []},
         )
@@ -121,9 +116,8 @@ def test_two_fingers_zoom_and_one_scrolls(open_page):
     assert phone.evaluate("[visualViewport.scale, scrollY]") == [1, 0]
 
 
-def test_a_pin_stands_beside_the_present_chart_on_one_screen(open_page):
-    page = open_page(1366, 768)
-    settle(page)
+def test_a_pin_stands_beside_the_present_chart_on_one_screen(desktop):
+    page = desktop
     page.locator(".pins summary").click()
     page.get_by_role("button", name="Pin curves").click()
     page.wait_for_function("rotorstab.last.pins")

@@ -4,6 +4,7 @@ from urllib.parse import urlsplit
 
 from app.state import State
 
+PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 2}
 READY = "window.rotorstab?.last && Bokeh.documents[0]?.is_idle"
 
 
@@ -55,8 +56,12 @@ def open_dashboard(browser, server, width=1280, height=900, path="/app", **optio
 def reset(page):
     """Bring a page that was used back to its start.
 
-    Every input has its default, nothing has the focus, and the browser keeps nothing.
+    Every input has its default, no curves are pinned, the theme is light, the shaft stands still,
+    nothing has the focus, the browser keeps nothing, and Back leads nowhere.
     """
+    protocol = page.context.new_cdp_session(page)
+    protocol.send("Page.resetNavigationHistory")  # a browser counts no more than 50 entries
+    protocol.detach()
     page.evaluate(
         """() => {
           let focused = document.activeElement;
@@ -67,6 +72,11 @@ def reset(page):
           // a lesson goes on beside the charts until it is left
           if (rotorstab.lessons.running) document.querySelector('[data-lesson="close"]').click();
           location.hash = "explore";
+          if (rotorstab.motion.state?.playing) document.querySelector(".shaft-play").click();
+          if (document.documentElement.dataset.theme === "dark") rotorstab.setTheme("light");
+          for (const { number } of rotorstab.last.pins?.names ?? []) {
+            rotorstab.send({ type: "unpin", number });
+          }
           rotorstab.last = {};
           rotorstab.send({ type: "reset" });
         }"""
@@ -74,9 +84,9 @@ def reset(page):
     # an answer to what was done before may still come
     page.wait_for_function(
         """(inputs) => {
-          const { page, values } = rotorstab.last;
-          return page === "explore" && !rotorstab.lessons.running && Bokeh.documents[0].is_idle
-            && rotorstab.messages.waited() === 0
+          const { page, values, pins } = rotorstab.last;
+          return page === "explore" && !pins && !rotorstab.lessons.running
+            && Bokeh.documents[0].is_idle && rotorstab.messages.waited() === 0
             && Object.entries(inputs).every(([name, value]) => values?.[name] === value);
         }""",
         arg=State().inputs(),

@@ -160,6 +160,16 @@ def wait_for_rest(page):
     page.evaluate(AT_REST)
 
 
+NAMES_ON_A_PHONE = {"instability": "Instability", "load-frequency": "Load", "campbell": "Campbell"}
+
+
+def show_chart(phone, key):
+    """Bring one chart of a phone's row into view by its name."""
+    name = NAMES_ON_A_PHONE[key]
+    phone.get_by_role("navigation", name="Charts").get_by_role("button", name=name).tap()
+    wait_for_rest(phone)  # it scrolls
+
+
 def visit(page, name):
     """Go to one of the dashboard's pages by its link, and wait until it is laid out."""
     page.evaluate("(name) => { location.hash = name; }", name)

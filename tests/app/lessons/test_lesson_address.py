@@ -20,8 +20,8 @@ def at_step(page, number):
     page.wait_for_function(f"{SHOWN}.includes('step {number} of')")
 
 
-def test_a_step_beyond_the_last_is_the_last(open_page):
-    page = open_page(path="/app#lesson/07-damping/99")
+def test_a_step_beyond_the_last_is_the_last(page):
+    page.evaluate("location.hash = 'lesson/07-damping/99'")
     at_step(page, len(LESSON.steps))
     page.wait_for_function(f"location.hash === '#lesson/07-damping/{len(LESSON.steps)}'")
     page.get_by_text("this is the last one").wait_for()
@@ -234,9 +234,8 @@ def choose(page, number):
     page.get_by_role("button", name="Check").click()
 
 
-def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(open_page):
-    page = open_page(path="/app#lesson/04-gyroscope/1")
-    at_step(page, 1)
+def test_curves_wait_for_the_prediction_and_numbers_for_the_trying(page):
+    go_to(page, "04-gyroscope/1")
     page.wait_for_function(f"({COVER})().includes('after your prediction')")
     choose(page, 0)
     page.locator(".lesson-words.hint").wait_for()
