@@ -14,9 +14,9 @@ from tests.testing.page import (
     NUMBERS,
     SLIDERS,
     SWITCHES,
-    agrees,
     open_groups,
     serious_faults,
+    settle,
     visit,
     wait_for_rest,
     wait_for_value,
@@ -85,7 +85,7 @@ def test_the_keyboard_alone_changes_every_kind_of_control(page):
     page.get_by_role("button", name="Reset all").focus()
     page.keyboard.press("Enter")
     wait_for_value(page, "show_growth", True)
-    assert agrees(page) == State().inputs()
+    assert settle(page) == State().inputs()
 
 
 @pytest.mark.parametrize("name", ["load_type", "shear"])

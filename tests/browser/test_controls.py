@@ -128,7 +128,6 @@ def test_a_typed_number_is_taken(page):
         wait_for_value(page, "spin_speed", value)
         assert float(box.input_value().replace(",", ".")) == pytest.approx(value)
         assert float(slider.input_value()) == pytest.approx(value)
-    agrees(page)
 
 
 def test_the_servers_refusal_is_shown_at_the_control(page):
@@ -190,7 +189,6 @@ def test_presets_and_reset(page):
         page.locator("#rs-preset").select_option(preset)
         for name, value in changed.items():
             wait_for_value(page, name, value)
-    agrees(page)
     page.get_by_role("button", name="Reset all").click()
     for name, value in State().inputs().items():
         wait_for_value(page, name, value)

@@ -96,12 +96,11 @@ def test_the_address_carries_the_state_to_another_page_and_the_two_go_their_own_
     before = agrees(one)
     assert agrees(other) == before
     drag(one, "shear", 0.7)
-    assert agrees(one)["shear"] > 0.05
+    assert settle(one)["shear"] > 0.05
     assert agrees(other) == before
     box_of(other, "disk_mass").fill("9")
     box_of(other, "disk_mass").press("Enter")
     settle(other, "disk_mass", 9.0)
-    agrees(other)
     assert agrees(one)["disk_mass"] == 5.0
 
 

@@ -1,10 +1,12 @@
 """Open the dashboard in a browser, and watch what its page complains of."""
 
+from functools import partial
 from urllib.parse import urlsplit
 
 from app.state import State
 
 PHONE = {"has_touch": True, "is_mobile": True, "device_scale_factor": 2}
+BETWEEN_LOOKS = 30  # ms
 READY = "window.rotorstab?.last && Bokeh.documents[0]?.is_idle"
 
 
@@ -47,6 +49,8 @@ def open_dashboard(browser, server, width=1280, height=900, path="/app", **optio
     context = browser.new_context(viewport={"width": width, "height": height}, **options)
     context.set_default_timeout(20_000)
     page = context.new_page()
+    # Playwright looks at every frame, and a page that draws all of them takes a fifth of a core
+    page.wait_for_function = partial(page.wait_for_function, polling=BETWEEN_LOOKS)
     watch = Watch(page)
     page.goto(server.origin + path)
     page.wait_for_function(READY)
@@ -59,6 +63,8 @@ def reset(page):
     Every input has its default, no curves are pinned, the theme is light, the shaft stands still,
     nothing has the focus, the browser keeps nothing, and Back leads nowhere.
     """
+    # on a busy machine a page may be opening anew, because its server did not answer for a while
+    page.wait_for_function(READY)
     protocol = page.context.new_cdp_session(page)
     protocol.send("Page.resetNavigationHistory")  # a browser counts no more than 50 entries
     protocol.detach()
