@@ -236,3 +236,99 @@ def test_a_pulsation_can_hold_up_what_falls():
     """Kapitza's pendulum: q̈ + (−0.1 + 12 cos 5t) q = 0 is stable, as Mathieu's chart says."""
     system = one_dof(elastic=-0.1)
     assert rs.growth_rate(system, 0.0, 3.0, 5.0) < 1e-8 < rs.growth_rate(system, 0.0, 0.5, 5.0)
+
+
+def in_rotating_coordinates(system, soft=0.0, stiff=0.0, damping=0.0):
+    """The rotor on a shaft with two second moments, seen from the shaft; damping is external."""
+    zero = np.zeros_like(system.mass)
+
+    def both(first, second=None):
+        return np.block([[first, zero], [zero, first if second is None else second]])
+
+    def across(part):
+        return np.block([[zero, part], [part, zero]])
+
+    outside = damping * system.mass
+    return rs.System(
+        mass=both(system.mass),
+        gyroscopic=across(system.gyroscopic - 2 * system.mass),
+        external_damping=both(outside),
+        internal_damping=both(zero),
+        elastic=both(system.elastic + soft * DISK, system.elastic + stiff * DISK),
+        geometric=both(system.geometric),
+        spin_speed=system.spin_speed,
+        spin_stiffness=across(-outside) if damping else None,
+        spin_softening=both(system.mass - system.gyroscopic),
+        planes=True,
+    )
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.1])
+def test_a_round_shaft_is_the_same_from_rotating_coordinates(damping):
+    rotor = rs.lumped(rs.ShaftDisk(), 0.7)
+    turning = in_rotating_coordinates(rotor, damping=damping)
+    fixed = replace(rotor, external_damping=damping * rotor.mass)
+    seen = rs.whirl_frequencies(fixed, 0.8) - 0.7
+    expected = np.concatenate([seen, -seen.conj()])
+    found = rs.whirl_frequencies(turning, 0.8)
+    for power in (1, 2, 3, 4):
+        assert (found**power).sum() == pytest.approx((expected**power).sum(), abs=1e-9)
+    theta = np.array([0.9, 1.02, 2.6])
+    np.testing.assert_allclose(
+        rs.growth_rate(turning, 0.8, 0.4, theta), rs.growth_rate(fixed, 0.8, 0.4, theta), atol=1e-8
+    )
+
+
+def test_a_shaft_with_two_second_moments_is_unstable_between_its_critical_speeds():
+    """The textbook case: with two stiffnesses there is a range of speeds without a stable rest."""
+    resting = rs.lumped(rs.ShaftDisk(), 0.0)
+    ends = [
+        rs.critical_speeds(replace(resting, elastic=resting.elastic + k * DISK)).forward[0]
+        for k in (0.0, 0.3)
+    ]
+    for speed, unstable in (
+        (0.9 * ends[0], False),
+        (0.99 * ends[0], False),
+        (1.01 * ends[0], True),
+        (0.99 * ends[1], True),
+        (1.01 * ends[1], False),
+    ):
+        turning = in_rotating_coordinates(rs.lumped(rs.ShaftDisk(), speed), soft=0.0, stiff=0.3)
+        assert bool(rs.mean_is_unstable(rs.whirl_frequencies(turning, 0.0))) is unstable, speed
+        assert bool(rs.growth_rate(turning, 0.0, 0.0, 1.3) > 1e-6) is unstable
+    with pytest.raises(ValueError, match="coordinates at rest"):
+        rs.critical_speeds(turning)
+
+
+def test_growth_in_rotating_coordinates_is_that_of_periodic_stiffness_at_rest():
+    """From outside the shaft's stiffness turns with it, K(2Ωt): one period of both, integrated."""
+    speed, theta, stiff = 0.5, 1.5, 0.3  # three half turns of the shaft to a period: T = 2π/0.5
+    rotor = rs.lumped(rs.ShaftDisk(), speed)
+    turning = in_rotating_coordinates(rotor, stiff=stiff)
+    mass, damping, stiffness, geometric = real_matrices(rotor)
+    inverse, n = np.linalg.inv(mass), len(mass)
+
+    def rate(t, z):
+        q, v = z.reshape(2, n, 2 * n)
+        s, c = np.sin(speed * t), np.cos(speed * t)
+        # stiff along the axis (−sin, cos) that turns with the shaft
+        turned = stiff * np.kron(np.array([[s * s, -s * c], [-s * c, c * c]]), DISK)
+        force = damping @ v + (stiffness + turned + (0.8 + 0.4 * np.cos(theta * t)) * geometric) @ q
+        return np.concatenate([v, -inverse @ force]).ravel()
+
+    period = 2 * np.pi / speed
+    run = solve_ivp(rate, (0, period), np.eye(2 * n).ravel(), "DOP853", rtol=1e-10, atol=1e-10)
+    expected = np.log(np.abs(np.linalg.eigvals(run.y[:, -1].reshape(2 * n, 2 * n))).max()) / period
+    assert rs.growth_rate(turning, 0.8, 0.4, theta) == pytest.approx(expected, abs=1e-6)
+
+
+def test_critical_speeds_of_two_planes_have_their_direction():
+    round_one = rs.critical_speeds(rs.lumped(rs.ShaftDisk(), 0.0))
+    planes = rs.critical_speeds(in_planes(rs.lumped(rs.ShaftDisk(), 0.0)))
+    np.testing.assert_allclose(planes.forward, round_one.forward)
+    np.testing.assert_allclose(planes.backward, round_one.backward)
+    split = rs.critical_speeds(in_planes(rs.lumped(rs.ShaftDisk(), 0.0), kyy=0.3))
+    assert len(split.forward) + len(split.backward) == 3
+    for speed in (*split.forward, *split.backward):
+        roots = rs.whirl_frequencies(in_planes(rs.lumped(rs.ShaftDisk(), speed), kyy=0.3), 0.0)
+        assert np.abs(np.abs(roots.real) - speed).min() < 1e-9

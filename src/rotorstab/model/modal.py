@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import eigvalsh
 
 from .._arguments import numbers
 from .._numerics.companion import companion_matrix
@@ -156,10 +155,11 @@ def splitting_basis(system: System, static_load: ArrayLike) -> ModalBasis:
 
 def _shifted_basis(system: System, load: Array) -> ModalBasis:
     """Return the modal basis with the stiffness K(0) + sM, s so large that it is positive."""
-    elastic = (system.elastic + system.elastic.T) / 2
-    squares = eigvalsh(elastic, system.mass)
+    elastic = system.load_stiffness(0.0)
+    symmetric = (elastic + np.swapaxes(elastic, -1, -2)) / 2
+    squares = np.linalg.eigvals(np.linalg.solve(system.mass, symmetric)).real
     positive = squares[squares > NEGLIGIBLE * np.abs(squares).max()]
-    shift = max(-2 * float(squares[0]), 0.0) + (float(positive[0]) if positive.size else 1.0)
+    shift = -2 * float(min(squares.min(), 0.0)) + (float(positive.min()) if positive.size else 1.0)
     rest = np.zeros_like(load)
     stiffness = system.stiffness(rest) + shift * system.mass
     return replace(modal_basis(system, rest, stiffness), shift=np.full_like(load, shift))

@@ -15,7 +15,7 @@ from .stiffness_law import StiffnessLaw
 
 __all__ = ["System", "frequencies_at_rest", "fundamental_frequency", "single_speed"]
 
-_CROSS = ("cross_stiffness", "cross_damping")
+_OPTIONAL = ("cross_stiffness", "cross_damping", "spin_stiffness", "spin_softening")
 _MATRICES = (
     "mass",
     "gyroscopic",
@@ -32,7 +32,8 @@ class System:
 
     M q̈ + D q̇ + K(p̄) q = 0 with D = −jΩ̄ H + C_e + C_i − jC_c and
     K(p̄) = Ka + p̄ Kb − jΩ̄ C_i − jK_c (or K of another stiffness law in place of Ka + p̄ Kb).
-    Its arrays are read-only copies.
+    In coordinates that rotate with the shaft K also holds −jΩ̄ K_s − Ω̄² N. Its arrays are
+    read-only copies.
 
     A rotor that is the same in all directions has complex coordinates U = V + jW, Ψ = Γ − jB: one
     root ω is one whirl, forward where it is positive. A rotor whose bearings differ in two
@@ -60,6 +61,8 @@ class System:
         K_c and C_c of cross-coupled bearings, None where there are none. With complex coordinates
         they are k_xy and c_xy of a bearing with k_yx = −k_xy and c_yx = −c_xy, with two planes
         [[0, k_xy], [−k_yx, 0]] and [[0, c_xy], [−c_yx, 0]].
+    spin_stiffness, spin_softening : (n, n) float or None
+        K_s and N of coordinates that rotate with the shaft, else None.
     planes : bool
         Whether the coordinates are those of two planes.
     pulsation : PeriodicLoad
@@ -86,6 +89,8 @@ class System:
     law: StiffnessLaw | None = None
     cross_stiffness: Array | None = None
     cross_damping: Array | None = None
+    spin_stiffness: Array | None = None
+    spin_softening: Array | None = None
     planes: bool = False
     pulsation: PeriodicLoad = COSINE
 
@@ -96,7 +101,7 @@ class System:
                 f"`pulsation` must be a cosine with the {self.law.name} stiffness law, "
                 f"got {self.pulsation}"
             )
-        for name in (*_MATRICES, *_CROSS, "spin_speed"):
+        for name in (*_MATRICES, *_OPTIONAL, "spin_speed"):
             array = np.asarray(getattr(self, name))
             if getattr(self, name) is None:
                 continue
@@ -113,13 +118,19 @@ class System:
     @property
     def is_damped(self) -> bool:
         """Whether any damping or cross coupling is present: motion cannot be run backwards."""
-        parts = self.external_damping, self.internal_damping, self.cross_stiffness
-        return any(part is not None and bool(part.any()) for part in (*parts, self.cross_damping))
+        parts = self.external_damping, self.internal_damping
+        cross = self.cross_stiffness, self.cross_damping, self.spin_stiffness
+        return any(part is not None and bool(part.any()) for part in (*parts, *cross))
 
     @property
     def is_reversible(self) -> bool:
         """Whether half a period tells the whole: no damping, and a load that is even in time."""
         return not self.is_damped and self.pulsation.is_even
+
+    @property
+    def is_rotating(self) -> bool:
+        """Whether the coordinates rotate with the shaft; ω is then less by Ω̄ than at rest."""
+        return self.spin_softening is not None
 
     @property
     def is_linear(self) -> bool:
@@ -180,7 +191,7 @@ class System:
         if self.law is not None:
             law = self.law.name
             raise ValueError(f"`system` must have the linear stiffness law, got the {law} one")
-        names = [name for name in (*_MATRICES, *_CROSS) if getattr(self, name) is not None]
+        names = [name for name in (*_MATRICES, *_OPTIONAL) if getattr(self, name) is not None]
         matrices = {name: basis.T @ getattr(self, name) @ basis for name in names}
         return replace(self, **matrices)
 
@@ -196,13 +207,14 @@ class System:
         return self.external_damping + self.internal_damping - 1j * crossed
 
     def cross_part(self) -> AnyArray:
-        """Return −jΩ̄ C_i − jK_c (..., n, n), the part of K that rotating damping and bearings add.
+        """Return −jΩ̄(C_i + K_s) − jK_c (..., n, n), what damping and bearings add to K.
 
         It does not depend on the load, and is a real 0 where there is neither.
         """
         crossed = np.zeros_like(self.mass) if self.cross_stiffness is None else self.cross_stiffness
-        if self.internal_damping.any():
-            crossed = crossed + self.spin_speed[..., None, None] * self.internal_damping
+        for part in (self.internal_damping, self.spin_stiffness):
+            if part is not None and part.any():
+                crossed = crossed + self.spin_speed[..., None, None] * part
         return -1j * crossed if crossed.any() else np.zeros_like(self.mass)
 
     def load_stiffness(self, load: ArrayLike) -> Array:
@@ -225,7 +237,10 @@ class System:
         load = numbers("load", load, -LARGEST, LARGEST)
         if self.law is not None:
             return self.law.stiffness(load)
-        return self.elastic + load[..., None, None] * self.geometric
+        stiffness = self.elastic + load[..., None, None] * self.geometric
+        if self.spin_softening is None:
+            return stiffness
+        return stiffness - np.square(self.spin_speed)[..., None, None] * self.spin_softening
 
     def stiffness(self, load: ArrayLike) -> AnyArray:
         """Return K(p̄), the matrix that multiplies q, with the `cross_part`.
@@ -245,7 +260,7 @@ class System:
             If the load is not finite, or past the pole of the stiffness.
         """
         stiffness = self.load_stiffness(load)
-        if self.cross_stiffness is None and not self.internal_damping.any():
+        if not self.is_damped:
             return stiffness
         return stiffness + self.cross_part()
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import eigvals
+from scipy.linalg import eig
 
 from .._arguments import number
 from .._numerics.roots import is_real
 from .._tolerances import NEGLIGIBLE
-from .._types import Array
+from .._types import AnyArray, Array, Mask
 from ..model.system import System
+from .mode_names import kinetic_energy
 
 __all__ = ["CriticalSpeeds", "critical_speeds"]
 
@@ -47,13 +48,14 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
     Raises
     ------
     ValueError
-        If the load is not finite, or past the pole of the stiffness.
+        If the load is not finite, or past the pole of the stiffness, or the coordinates rotate.
 
     Notes
     -----
     With ω = ±Ω̄ the determinant of `whirl_frequencies` is det[K − Ω̄²(M ∓ H)]: a generalised
     eigenvalue problem whose positive real eigenvalues are Ω̄². A disk with Ī_P > Ī_D has no forward
-    critical speed of its second mode.
+    critical speed of its second mode. With two planes the determinant is one of both directions,
+    and the orbit of each shape tells its direction.
 
     Examples
     --------
@@ -62,20 +64,37 @@ def critical_speeds(system: System, load: float = 0.0) -> CriticalSpeeds:
     >>> speeds.forward.size, speeds.backward.size
     (1, 2)
     """
+    if system.is_rotating:
+        raise ValueError("`system` must have coordinates at rest, got rotating ones")
     stiffness = system.load_stiffness(number("load", load))
-    return CriticalSpeeds(
-        forward=_synchronous_speeds(stiffness, system.mass - system.gyroscopic),
-        backward=_synchronous_speeds(stiffness, system.mass + system.gyroscopic),
-    )
+    ahead, shapes = _synchronous_speeds(stiffness, system.mass - system.gyroscopic)
+    if system.planes:
+        forward = _whirls_forward(system, shapes)
+        return CriticalSpeeds(ahead[forward], ahead[~forward])
+    behind, _ = _synchronous_speeds(stiffness, system.mass + system.gyroscopic)
+    return CriticalSpeeds(ahead, behind)
 
 
-def _synchronous_speeds(stiffness: Array, inertia: Array) -> Array:
-    """Return the positive Ω̄, ascending, at which K − Ω̄²(M ∓ H) is singular."""
+def _synchronous_speeds(stiffness: Array, inertia: Array) -> tuple[Array, AnyArray]:
+    """Return the positive Ω̄ (k,), ascending, at which K − Ω̄²(M ∓ H) is singular, and shapes (n, k).
+
+    With ω = −Ω̄ in place of Ω̄ the sign before H changes.
+    """
     # 1/Ω̄² is the eigenvalue, so that a singular M ∓ H gives 0 and not infinity
-    inverse_squares = eigvals(inertia, stiffness, check_finite=False)
+    inverse_squares, shapes = eig(inertia, stiffness, check_finite=False)
     with np.errstate(invalid="ignore"):
         size = np.abs(inverse_squares)
         real = is_real(inverse_squares)
     smallest = NEGLIGIBLE * size[np.isfinite(size)].max(initial=0.0)
-    squares = inverse_squares.real[real & (inverse_squares.real > smallest)]
-    return np.sort(1 / np.sqrt(squares))
+    kept = np.flatnonzero(real & (inverse_squares.real > smallest))
+    kept = kept[np.argsort(-inverse_squares.real[kept])]
+    return 1 / np.sqrt(inverse_squares.real[kept]), shapes[:, kept]
+
+
+def _whirls_forward(system: System, shapes: AnyArray) -> Mask:
+    """Tell which synchronous shapes (n, k) of two planes go round with the spin."""
+    half = system.size // 2
+    first, second = shapes[:half], shapes[half:]
+    return np.asarray(
+        kinetic_energy(system, first + second) > kinetic_energy(system, first - second)
+    )

@@ -46,7 +46,7 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     [-1.9348, -0.4041, 0.9092, 3.4297]
     """
     load = numbers("load", load, -LARGEST, LARGEST)
-    if system.size == 2 and not system.is_damped:
+    if system.size == 2 and not system.is_damped and not system.is_rotating:
         return _quartic_frequencies(system, load)
     return frequencies_by_eigenvalues(system, load)
 

@@ -15,13 +15,20 @@ import numpy as np
 
 from .._arguments import LARGEST, number
 from .._tolerances import NEGLIGIBLE, STRAIGHT_ORBIT
-from .._types import AnyArray, ArrayLike, Complex
+from .._types import AnyArray, Array, ArrayLike, Complex
 from ..model.modal import modal_basis
 from ..model.system import System, single_speed
 from .frequencies import whirl_frequencies
 from .tracking import nearest_columns, track
 
-__all__ = ["mode_names", "named_frequencies", "names_by_orbit", "names_by_rank", "names_of"]
+__all__ = [
+    "kinetic_energy",
+    "mode_names",
+    "named_frequencies",
+    "names_by_orbit",
+    "names_by_rank",
+    "names_of",
+]
 
 _LOADS, _DAMPINGS = 48, 160  # steps in which a spectrum is followed
 
@@ -72,6 +79,13 @@ def names_by_rank(frequencies: ArrayLike) -> tuple[str, ...]:
     return tuple(names)
 
 
+def kinetic_energy(system: System, part: AnyArray) -> Array:
+    """Return qᴴMq (k,) of circular parts (n/2, k) of motions of two planes, M that of one plane."""
+    half = system.size // 2
+    mass = system.mass[:half, :half]
+    return np.asarray(np.einsum("ik,ij,jk->k", part.conj(), mass, part).real)
+
+
 def names_by_orbit(system: System, frequencies: AnyArray, vectors: AnyArray) -> tuple[str, ...]:
     """Name the modes of a system of two planes by their orbits.
 
@@ -93,12 +107,8 @@ def names_by_orbit(system: System, frequencies: AnyArray, vectors: AnyArray) -> 
     """
     half = system.size // 2
     first, second = vectors[:half], vectors[half : 2 * half]
-    mass = system.mass[:half, :half]
-
-    def energy(part: AnyArray) -> AnyArray:
-        return np.asarray(np.einsum("ik,ij,jk->k", part.conj(), mass, part).real)
-
-    forward, backward = energy(first + second), energy(first - second)
+    forward = kinetic_energy(system, first + second)
+    backward = kinetic_energy(system, first - second)
     # the root −ω turns its orbit the other way
     lead = (forward - backward) * np.where(np.real(frequencies) < 0, -1, 1)
     straight = np.abs(lead) <= STRAIGHT_ORBIT * (forward + backward)
