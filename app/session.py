@@ -18,6 +18,7 @@ from .exports.snippet import python_cells
 from .live.controls import Controls
 from .pages import PAGES, Page
 from .pages.base import Reply, Stage
+from .pages.warming import warming
 from .results.default_marker import place_marker
 from .results.limits import Detail
 from .state import State, Use, names_for
@@ -208,6 +209,7 @@ class Session:
             self._scheduler.call(self._restore_pin)
         if self._stage is Stage.GREETED and kind != "hello":
             self._enter(Stage.COMPLETE)
+            warming.follow(self._scheduler)
 
     def _enter(self, stage: Stage) -> None:
         """Begin a stage, in which the pages show more than before."""

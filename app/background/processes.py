@@ -182,6 +182,11 @@ class Background:
             self._active.pop(who, None)
             self._active[who] = monotonic()  # the latest is the last
 
+    def is_quiet(self, seconds: float) -> bool:
+        """Whether no session has sent a message for some time."""
+        with self._lock:
+            return all(monotonic() - at >= seconds for at in self._active.values())
+
     def request(self, function: Callable[..., Any], *arguments: Hashable) -> Future[Any]:
         """Return the future of a call whose arguments can be pickled and hashed.
 

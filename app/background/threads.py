@@ -54,6 +54,13 @@ class Scheduler:
             with suppress(RuntimeError):  # the session has ended meanwhile
                 self.document.add_next_tick_callback(callback)
 
+    def call_later(self, seconds: float, callback: Callable[[], None]) -> None:
+        """Call a function after some time; never without a document or once the session ended."""
+        loop = self._loop
+        if self.document is not None and loop is not None:
+            with suppress(RuntimeError):  # the loop has ended
+                loop.call_soon_threadsafe(loop.call_later, seconds, self.call, callback)
+
     def at_end(self, callback: Callable[[], None]) -> None:
         """Call a function when the session ends."""
         if self.document is not None:

@@ -1,7 +1,7 @@
 """Which pages does the dashboard have? `PAGES` lists them in the order of the navigation.
 
 Read `base`, then `explore` with `marked_point`, `animation`, `pins`, `pin_list`, `pinned_charts`
-and `rotor_messages`; `stiffness`, `paper` and `lessons` stand alone.
+and `rotor_messages`; `stiffness`, `paper` and `lessons` stand alone; `warming` draws them ahead.
 """
 
 from .base import Page

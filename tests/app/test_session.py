@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 import rotorstab as rs
 from app.live.controls import GROUPS, Controls
 from app.pages import PAGES, explore
+from app.pages.warming import Warming
 from app.reading.user_error import UserError
 from app.results.analysis import CHARTS, solve
 from app.results.caches import cache_infos
@@ -739,6 +740,25 @@ def test_what_is_drawn_at_the_start_is_only_copied_for_users():
         session = Session(query)
         session.respond({"type": "pin", "label": "a"})
         session.respond({"type": "change", "values": {"marker": True, "shear": 0.05}})
+    assert figures_drawn() == made
+
+
+def test_pages_that_nobody_has_opened_are_drawn_ahead_one_chart_at_a_time():
+    ahead = Warming()
+    while not ahead.done:
+        before = figures_drawn()
+        ahead.step()
+        assert figures_drawn() - before <= 1
+    made = figures_drawn()
+    session = Session()
+    session.respond({"type": "page", "name": "stiffness"})
+    session.respond({"type": "page", "name": "paper"})
+    for number in (2, 3, 6, 9):
+        session.respond({"type": "figure", "number": number, "floquet": False})
+    session.respond({"type": "page", "name": "explore"})
+    session.respond({"type": "pin", "label": "a"})
+    session.respond({"type": "change", "values": {"compared": "pin 1"}})
+    assert set(session.pages["explore"].charts) >= {"comparison"}
     assert figures_drawn() == made
 
 

@@ -88,6 +88,25 @@ def test_a_page_that_has_gone_is_not_called_back(monkeypatch):
     run(build()).call(lambda: None)  # its loop has ended
 
 
+def test_a_callback_for_later_is_given_to_the_document_after_its_time():
+    document, waited = Document(), []
+
+    async def page():
+        with set_curdoc(document):
+            scheduler = Scheduler()
+        scheduler.call_later(0.05, lambda: waited.append("called"))
+        await asyncio.sleep(0)
+        waited.append(len(document.added))
+        while not document.added:
+            await asyncio.sleep(0.01)
+
+    run(page())
+    document.added[0][1]()
+    assert waited == [0, "called"]
+    Scheduler().call_later(0.0, lambda: waited.append("without a page"))
+    assert len(waited) == 2
+
+
 def test_without_a_page_a_callback_comes_at_once():
     called = []
     Scheduler().call(lambda: called.append(threading.get_ident()))
