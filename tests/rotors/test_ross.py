@@ -10,9 +10,12 @@ import warnings
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from rotorstab import Bearing, Disk, Material, NotCarriedOver, Rotor, ShaftSection, Sleeve
 from rotorstab.rotors.places import RotorFileError
+from rotorstab.rotors.ross import rotor_from_ross_text
 from tests.testing.rotors import FRISWELL_597, STEEL, steel_disk
 
 MATERIAL = {"name": "Steel", "rho": 7810.0, "E": 211e9, "G_s": 81.2e9, "color": "#525252"}
@@ -241,7 +244,9 @@ def test_elements_without_numbers_follow_each_other(tmp_path):
         ({"ShaftElement_Shaft Element 2": shaft(2, L=0.0)}, "Element 2: `length` must be in"),
         ({"ShaftElement_Shaft Element 2": shaft(2, odl="5 cm")}, "odl: must be a number, got '5 c"),
         ({"ShaftElement_Shaft Element 2": shaft(2, idl=0.05, idr=0.05)}, "`inner_diameter` must"),
-        ({"ShaftElement_Shaft Element 2": shaft(7)}, "n: the shaft has no element at node 2"),
+        ({"ShaftElement_Shaft Element 2": shaft(3)}, "n: the shaft has no element at node 2"),
+        ({"ShaftElement_Shaft Element 2": shaft(7)}, "n: must be a node of the shaft, 0 to 5"),
+        ({"ShaftElement_Shaft Element 2": shaft(1.5)}, "n: must be a node of the shaft, 0 to 5"),
         ({"ShaftElement_Shaft Element 2": shaft(2, material="steel")}, "material: must be a table"),
         (
             {"ShaftElement_Shaft Element 2": shaft(2, material={"E": 1e11, "rho": 1.0})},
@@ -267,6 +272,50 @@ def test_what_cannot_be_represented_is_refused_with_its_place(tmp_path, change, 
     shown = write(tables).splitlines()[line - 1]
     key = words.partition(", ")[2].partition(":")[0]
     assert name in shown or (key and key in shown)
+
+
+JUNK = [
+    None,
+    True,
+    -1,
+    0,
+    1.5,
+    10**400,
+    1e308,
+    math.nan,
+    "",
+    "5",
+    [],
+    [1, 2],
+    [None],
+    [10**400],
+    {},
+    {"a": [1]},
+]
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.data())
+def test_any_value_in_any_place_gives_a_rotor_or_one_line(data):
+    tables = ross()
+    name = data.draw(st.sampled_from(sorted(tables)))
+    key = data.draw(st.sampled_from(["", *tables[name]])) if isinstance(tables[name], dict) else ""
+    junk = data.draw(st.sampled_from(JUNK))
+    if key == "material" and data.draw(st.booleans()):
+        inner = data.draw(st.sampled_from(sorted(MATERIAL)))
+        tables[name][key] = MATERIAL | {inner: junk}
+    elif key:
+        tables[name][key] = junk
+    else:
+        tables[name] = junk
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", NotCarriedOver)
+        words = ""
+        try:
+            assert isinstance(rotor_from_ross_text(as_json(tables)), Rotor)
+        except RotorFileError as error:
+            words = str(error)
+    assert "\n" not in words
 
 
 @pytest.mark.parametrize(

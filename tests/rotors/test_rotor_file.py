@@ -104,6 +104,42 @@ def test_a_file_without_a_shaft_is_refused():
         rotor_from_toml("sections = [1]")
 
 
+VALUES = [
+    "1",
+    '"1 m"',
+    '"x"',
+    "nan",
+    "-inf",
+    "1" + "0" * 400,
+    "[]",
+    "{}",
+    "true",
+    '"1e308 m"',
+    '"9e999 N/m"',
+    "[{}]",
+    "1979-05-27",
+    '"steel"',
+]
+HEADS = ["", "[x]", "[[disks]]", "[load]", "[materials]", "[[materials]]", "[sections]"]
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.sampled_from([OIL_FILM, STEPPED]), st.data())
+def test_any_value_in_any_line_gives_a_rotor_or_one_line(rotor, data):
+    lines = rotor_to_toml(rotor).splitlines()
+    at = data.draw(st.integers(0, len(lines) - 1))
+    key, equals, _ = lines[at].partition(" = ")
+    lines[at] = data.draw(
+        st.sampled_from([f"{key} = {value}" for value in VALUES] if equals else HEADS)
+    )
+    words = ""
+    try:
+        assert isinstance(rotor_from_toml("\n".join(lines)), Rotor)
+    except RotorFileError as error:
+        words = str(error)
+    assert "\n" not in words
+
+
 @pytest.mark.parametrize("dimension", EXAMPLES)
 def test_the_example_of_every_dimension_is_read(dimension):
     for example in EXAMPLES[dimension].split(" or "):

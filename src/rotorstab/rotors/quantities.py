@@ -1,4 +1,4 @@
-"""Quantities of rotor files: a number and a unit in one text, such as "50 mm".
+"""Numbers of rotor files, and quantities: a number and a unit in one text, such as "50 mm".
 
 The list of units is closed and short, so that the solver needs no package for them.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 
-__all__ = ["EXAMPLES", "read_quantity"]
+__all__ = ["EXAMPLES", "plain_number", "read_quantity"]
 
 _UNITS = {
     "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3},
@@ -33,6 +33,26 @@ EXAMPLES = {
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(\S.*?)\s*")
 _LONGEST = 80
 _SPELLINGS = (("²", "^2"), ("³", "^3"), ("**", "^"), ("·", " "), ("*", " "), ("⋅", " "))
+
+
+def plain_number(value: object) -> float | None:
+    """Return a value of a parsed file as a float.
+
+    Parameters
+    ----------
+    value : object
+
+    Returns
+    -------
+    float or None
+        None if the value is no number, or an integer that is too large for a float.
+    """
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    try:
+        return float(value)
+    except OverflowError:
+        return None
 
 
 def read_quantity(text: object, dimension: str) -> float:

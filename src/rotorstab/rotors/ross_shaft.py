@@ -8,11 +8,13 @@ from typing import Any
 from .._tolerances import SAME_POSITION
 from .materials import Material
 from .places import RotorFileError
+from .quantities import plain_number
 from .ross_tables import RossTables
 from .sections import ShaftSection, Sleeve
 
 __all__ = ["shaft_sections"]
 
+_MOST_ELEMENTS = 1000  # of a shaft with its layers; ROSS's compressor has 91
 _CONE_STEPS = 4  # cylinders in place of a conical element
 _LEFT_OUT = {
     "axial_force": "the axial force of elements is not carried over: give it as a load",
@@ -47,10 +49,15 @@ def shaft_sections(ross: RossTables) -> tuple[list[ShaftSection], list[float]]:
         raise RotorFileError(
             "the file is no ROSS rotor: it has no table that begins with ShaftElement_"
         )
+    if len(names) > _MOST_ELEMENTS:
+        raise RotorFileError(
+            f"the file has {len(names)} shaft elements, more than {_MOST_ELEMENTS}"
+        )
     layers: dict[int, list[str]] = {}
     for order, name in enumerate(names):
-        at = order if ross.elements[name].get("n") is None else ross.number(name, "n")
-        layers.setdefault(int(at), []).append(name)
+        given = ross.elements[name].get("n") is not None
+        at = ross.node(name, len(names) - 1) if given else order
+        layers.setdefault(at, []).append(name)
     sections: list[ShaftSection] = []
     nodes = [0.0]
     for at, layer in sorted(layers.items()):
@@ -127,10 +134,11 @@ def _material(ross: RossTables, name: str) -> Material:
         ross.fail(name, "must be a table with E, G_s and rho", "material")
     values = []
     for key in ("E", "G_s", "rho"):
-        value = table.get(key)
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            ross.fail(name, f"must have a number {key}, got {repr(value)[:40]}", "material")
-        values.append(float(value))
+        value = plain_number(table.get(key))
+        if value is None:
+            shown = repr(table.get(key))[:40]
+            ross.fail(name, f"must have a number {key}, got {shown}", "material")
+        values.append(value)
     try:
         return Material(*values)
     except ValueError as error:

@@ -10,6 +10,7 @@ import numpy as np
 
 from .._types import Array
 from .places import RotorFileError
+from .quantities import plain_number
 
 __all__ = ["RossTables"]
 
@@ -60,26 +61,29 @@ class RossTables:
         value = self.elements[name].get(key, default)
         if value is None:
             self.fail(name, f"lacks {key}")
-        if isinstance(value, bool) or not isinstance(value, int | float):
+        found = plain_number(value)
+        if found is None or not math.isfinite(found):
             self.fail(name, f"must be a number, got {repr(value)[:40]}", key)
-        if not math.isfinite(value):
-            self.fail(name, f"must be a finite number, got {value}", key)
-        return float(value)
+        return found
 
     def numbers(self, name: str, key: str) -> Array:
         """Return the numbers of an element's key, one or several; 0 if there is none."""
         value = self.elements[name].get(key, 0.0)
         try:
             numbers = np.atleast_1d(np.asarray(value, dtype=np.float64))
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             numbers = np.array([])
         if numbers.ndim != 1 or not numbers.size or not np.isfinite(numbers).all():
             self.fail(name, f"must be a number or a list of numbers, got {repr(value)[:40]}", key)
         return numbers
 
+    def node(self, name: str, most: int) -> int:
+        """Return the number of the node of an element, 0 to `most`."""
+        at = self.number(name, "n")
+        if not at.is_integer() or not 0 <= at <= most:
+            self.fail(name, f"must be a node of the shaft, 0 to {most}", "n")
+        return int(at)
+
     def position(self, name: str, nodes: list[float]) -> float:
         """Return the position [m] of the node of an element."""
-        at = self.number(name, "n")
-        if not at.is_integer() or not 0 <= at < len(nodes):
-            self.fail(name, f"must be a node of the shaft, 0 to {len(nodes) - 1}", "n")
-        return nodes[int(at)]
+        return nodes[self.node(name, len(nodes) - 1)]

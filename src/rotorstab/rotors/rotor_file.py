@@ -16,7 +16,7 @@ from typing import Any, NoReturn, TypeVar
 from .materials import MATERIALS, Material, material_named
 from .parts import AxialLoad, Bearing, Disk
 from .places import RotorFileError, lines_of_toml
-from .quantities import read_quantity
+from .quantities import plain_number, read_quantity
 from .rotor import Rotor
 from .sections import ShaftSection, Sleeve
 
@@ -197,9 +197,10 @@ class _Reader:
 
     def value(self, place: str, value: object, dimension: str) -> float:
         if dimension == _PLAIN:
-            if isinstance(value, bool) or not isinstance(value, int | float):
+            number = plain_number(value)
+            if number is None:
                 self.fail(place, f"must be a number without a unit, got {repr(value)[:40]}")
-            return float(value)
+            return number
         try:
             return read_quantity(value, dimension)
         except ValueError as error:
