@@ -4,6 +4,7 @@ The one list that the tests and the validation table read.
 """
 
 from .any_rotor import any_rotor
+from .limits import limits
 from .literature import classical, paper
 from .multipliers import multipliers
 from .separate import separate
@@ -14,6 +15,7 @@ __all__ = ["PUBLISHED", "Published"]
 PUBLISHED: tuple[Published, ...] = (
     *paper(),
     *classical(),
+    *limits(),
     *separate(),
     *multipliers(),
     *any_rotor(),
