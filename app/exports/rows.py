@@ -10,7 +10,7 @@ from rotorstab.charts import written
 
 from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
 from ..state.address import PinnedInputs
-from ..words.si import key_numbers, load_in, shown_scales
+from ..words.si import KEY_NUMBERS, key_number_label, key_numbers, shown_scales
 
 __all__ = [
     "input_labels",
@@ -22,13 +22,6 @@ __all__ = [
 ]
 
 Row = tuple[str, str]
-# name and, non-dimensional and in SI, symbol
-_NUMBERS = {
-    "buckling": ("static buckling load", "p̄_cr", "P_cr"),
-    "flutter": ("flutter load, follower, at this spin", "", ""),
-    "static_load": ("static load", "p̄₀", "P₀"),
-    "fundamental": ("natural frequency at rest", "ω_n", "ω_n/2π"),
-}
 _DIGITS = 6
 _DAMPING = ("external_damping", "internal_damping")
 
@@ -109,13 +102,8 @@ def number_rows(numbers: Mapping[str, Any], scales: Scales | None) -> list[Row]:
     """Return names and values of the key numbers, in SI with scales."""
     shown = numbers if scales is None else key_numbers(scales, numbers)
     rows = []
-    for key, (words, symbol, si_symbol) in _NUMBERS.items():
-        unit = ""
-        if scales is not None:
-            symbol = si_symbol
-            unit = "[Hz]" if key == "fundamental" else f"[{load_in(scales)[1]}]"
-        label = " ".join(filter(None, (words, symbol, unit)))
-        rows.append((label, _shown(shown[key])))
+    for key in KEY_NUMBERS:
+        rows.append((key_number_label(key, scales), _shown(shown[key])))
     unit = "" if scales is None else " ω/2π [Hz]"
     for name, (real, imaginary) in shown["whirl"].items():
         text = written(real, _DIGITS)

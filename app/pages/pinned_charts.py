@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rotorstab import Scales
-from rotorstab.charts import Chart, Layer, load_unit, outline_name
+from rotorstab.charts import Chart, Layer, chart_factors, load_unit, outline_name
 from rotorstab.drawing import contours
 
 from ..results.analysis import CHARTS, Result, home_view, solve, window_of
@@ -161,15 +161,8 @@ def _view_of_pin(key: str, view: View, pin: Pin, state: State, now: Result) -> V
 
 
 def _units(key: str, scales: Scales, numbers: Mapping[str, Any]) -> tuple[float, float]:
-    """Return what one unit of each axis of a chart is, in rad/s or N."""
-    return {
-        "instability": (
-            numbers["fundamental"] * scales.frequency,
-            numbers["reference"] * scales.load,
-        ),
-        "load-frequency": (scales.load, scales.frequency),
-        "campbell": (scales.frequency, scales.frequency),
-    }[key]
+    """Return what one unit of each axis of a chart is in SI, with loads in N."""
+    return chart_factors(key, scales, numbers["fundamental"], numbers["reference"], "N")
 
 
 def _in_present_units(chart: Chart, pin: Pin, state: State) -> Chart:

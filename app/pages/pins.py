@@ -15,19 +15,19 @@ from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..state import SI_INPUTS, SYMBOLS, State, Use, names_for
 from ..state.address import MOST_PINS, PINNED, PinnedInputs, pin_name
-from ..words.si import key_numbers, quantities_in_si, shown_scales
+from ..words.si import (
+    KEY_NUMBERS,
+    InputInSI,
+    key_number_label,
+    key_numbers,
+    rotor_inputs_in_si,
+    shown_scales,
+)
 from ..words.typography import with_unit
 
 __all__ = ["Pin", "differences", "pin", "side_by_side", "solve_pin"]
 
 _MOST_IN_TITLE = 3  # inputs that a title names
-# labels, non-dimensional and in SI; {} is the unit of load of the present shaft
-_NUMBERS = {
-    "buckling": ("Buckling load p̄_cr", "Buckling load P_cr [{}]"),
-    "flutter": ("Flutter load p̄_f", "Flutter load P_f [{}]"),
-    "static_load": ("Static load p̄_0", "Static load P_0 [{}]"),
-    "fundamental": ("At rest ω̄_n", "At rest f_n [Hz]"),
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,7 @@ def _numbers(result: Result, scales: Scales | None, unit: str, full: bool = True
     """Return the key numbers by label; in SI with the scales of the shaft, loads in `unit`."""
     shown = result.numbers if scales is None else key_numbers(scales, result.numbers, unit)
     si = scales is not None
-    numbers = {words[si].format(unit): _shown(shown[name]) for name, words in _NUMBERS.items()}
+    numbers = {key_number_label(name, scales, unit): _shown(shown[name]) for name in KEY_NUMBERS}
     for name, (real, imaginary) in shown["whirl"].items():
         grows = ""
         if imaginary:
@@ -130,17 +130,23 @@ def _differing(columns: Sequence[Mapping[str, str]]) -> list[list[str]]:
 
 def _inputs(inputs: Mapping[str, Any], scales: Scales | None) -> dict[str, str]:
     """Return the pinned inputs by label; in SI with the scales of their shaft."""
-    units = {} if scales is None else quantities_in_si(scales)
+    forms = {} if scales is None else rotor_inputs_in_si(scales)
     found = {}
     for name in names_for(Use.COMPARED):
-        factor, unit = units.get(name, (None, SI_INPUTS.get(name, "")))
-        value = inputs[name] if factor is None else inputs[name] * factor
-        symbol = SYMBOLS.get(name, "")
-        if factor is not None:
-            symbol = symbol.replace("\u0304", "")  # the bar of the non-dimensional
+        value, unit, symbol = _input(name, inputs, forms)
         label = f"{State.param[name].label} {symbol} {f'[{unit}]' if unit else ''}"
         found[" ".join(label.split())] = _shown(value)
     return found
+
+
+def _input(
+    name: str, inputs: Mapping[str, Any], forms: Mapping[str, InputInSI]
+) -> tuple[Any, str, str]:
+    """Return the value of an input, its unit and its symbol, both of which may be empty."""
+    form = forms.get(name)
+    if form is None:
+        return inputs[name], SI_INPUTS.get(name, ""), SYMBOLS.get(name, "")
+    return inputs[name] * form.factor, form.unit, form.symbol
 
 
 def side_by_side(state: State, pin: Pin) -> dict[str, str]:
@@ -157,13 +163,11 @@ def side_by_side(state: State, pin: Pin) -> dict[str, str]:
 def _title(
     name: str, differing: Sequence[str], inputs: Mapping[str, Any], scales: Scales | None
 ) -> str:
-    units = {} if scales is None else quantities_in_si(scales)
+    forms = {} if scales is None else rotor_inputs_in_si(scales)
     parts = []
     for one in differing[:_MOST_IN_TITLE]:
-        factor, unit = units.get(one, (None, SI_INPUTS.get(one, "")))
-        value = inputs[one] if factor is None else inputs[one] * factor
-        symbol = SYMBOLS.get(one) or str(State.param[one].label).lower()
-        symbol = symbol if factor is None else symbol.replace("\u0304", "")
+        value, unit, symbol = _input(one, inputs, forms)
+        symbol = symbol or str(State.param[one].label).lower()
         parts.append(f"{symbol} = {with_unit(_shown(value), unit)}")
     more = ", …" if len(differing) > _MOST_IN_TITLE else ""
     return f"{name}: {', '.join(parts)}{more}" if parts else name

@@ -5,6 +5,7 @@ from __future__ import annotations
 import param
 
 from rotorstab import STIFFNESS_LAWS
+from rotorstab.charts.quantities import Measure, ShareOf, SIForm
 
 from .declaration import Boolean, Facts, Number, Selector, Use
 
@@ -15,7 +16,12 @@ class ChartInputs(param.Parameterized):
     """What the charts show."""
 
     largest_factor = Number(
-        Facts("bmax", Use.PINNED | Use.REPORTED | Use.PICTURE, symbol="β_d max"),
+        Facts(
+            "bmax",
+            Use.PINNED | Use.REPORTED | Use.PICTURE,
+            symbol="β_d max",
+            si=SIForm("P_t max", Measure.LOAD, ShareOf.REFERENCE_LOAD),
+        ),
         default=1.0,
         bounds=(0.05, 2.0),
         step=0.05,
@@ -23,7 +29,12 @@ class ChartInputs(param.Parameterized):
         doc="Top of the instability chart: the largest dynamic load factor β_d shown.",
     )
     lowest_frequency = Number(
-        Facts("fmin", Use.PINNED | Use.REPORTED | Use.PICTURE, symbol="θ/ωₙ min"),
+        Facts(
+            "fmin",
+            Use.PINNED | Use.REPORTED | Use.PICTURE,
+            symbol="θ/ωₙ min",
+            si=SIForm("θ/2π min", Measure.FREQUENCY, ShareOf.FUNDAMENTAL_FREQUENCY),
+        ),
         default=0.0,
         bounds=(0.0, 39.0),
         step=0.1,
@@ -31,7 +42,12 @@ class ChartInputs(param.Parameterized):
         doc="Left end of the instability chart, in units of ωₙ.",
     )
     highest_frequency = Number(
-        Facts("fmax", Use.PINNED | Use.REPORTED | Use.PICTURE, symbol="θ/ωₙ max"),
+        Facts(
+            "fmax",
+            Use.PINNED | Use.REPORTED | Use.PICTURE,
+            symbol="θ/ωₙ max",
+            si=SIForm("θ/2π max", Measure.FREQUENCY, ShareOf.FUNDAMENTAL_FREQUENCY),
+        ),
         default=6.0,
         bounds=(0.5, 40.0),
         step=0.1,

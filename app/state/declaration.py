@@ -11,6 +11,8 @@ from typing import Any
 
 import param
 
+from rotorstab.charts.quantities import SIForm
+
 __all__ = ["DESCRIPTIVE", "Boolean", "Facts", "Number", "Selector", "Use"]
 
 
@@ -54,12 +56,15 @@ class Facts:
     unit : str or None
         Of a datum of the shaft or disk in SI, empty where it has no dimension; None for an input
         that is no such datum.
+    si : SIForm or None
+        How a slider without dimension is named and measured where the charts are in SI.
     """
 
     key: str
     use: Use = Use.NONE
     symbol: str = ""
     unit: str | None = None
+    si: SIForm | None = None
 
 
 class Number(param.Number):

@@ -4,6 +4,14 @@ from __future__ import annotations
 
 import param
 
+from rotorstab.charts.quantities import (
+    EXCITATION_RATIO,
+    LOAD_FACTOR,
+    Measure,
+    ShareOf,
+    SIForm,
+)
+
 from .declaration import Boolean, Facts, Number, Selector
 
 __all__ = ["INITIAL_CONDITIONS", "PointInputs"]
@@ -30,7 +38,7 @@ class PointInputs(param.Parameterized):
         doc="The marked point stays inside the tongue 1B+1F of the rotor until you move it.",
     )
     marker_frequency = Number(
-        Facts("f", symbol="θ/ωₙ"),
+        Facts("f", symbol=EXCITATION_RATIO.symbol, si=EXCITATION_RATIO.si),
         default=1.68,
         bounds=(0.05, 40.0),
         step=0.01,
@@ -38,7 +46,11 @@ class PointInputs(param.Parameterized):
         doc="θ/ωₙ of the marked point.",
     )
     marker_factor = Number(
-        Facts("b", symbol="β_d"),
+        Facts(
+            "b",
+            symbol=LOAD_FACTOR.symbol,
+            si=SIForm("P_t", Measure.LOAD, ShareOf.REFERENCE_LOAD),
+        ),
         default=0.5,
         bounds=(0.0, 2.0),
         step=0.01,

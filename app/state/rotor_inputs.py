@@ -5,6 +5,7 @@ from __future__ import annotations
 import param
 
 from rotorstab import BASE_CASE, STIFFNESS_LAWS
+from rotorstab.charts.quantities import SPIN, Measure, ShareOf, SIForm
 
 from .declaration import DESCRIPTIVE, Facts, Number, Selector, Use
 
@@ -32,7 +33,12 @@ class RotorInputs(param.Parameterized):
         "follower. It has no effect on an axial or a follower load.",
     )
     static_load_factor = Number(
-        Facts("as", DESCRIPTIVE | Use.PRESET, symbol="α_s"),
+        Facts(
+            "as",
+            DESCRIPTIVE | Use.PRESET,
+            symbol="α_s",
+            si=SIForm("P_0", Measure.LOAD, ShareOf.REFERENCE_LOAD),
+        ),
         default=0.5,
         bounds=(0.0, 0.95),
         step=0.01,
@@ -40,7 +46,7 @@ class RotorInputs(param.Parameterized):
         doc="Static part of the load as a fraction of the reference load. Compression is positive.",
     )
     spin_speed = Number(
-        Facts("spin", DESCRIPTIVE | Use.PRESET, symbol="Ω̄"),
+        Facts("spin", DESCRIPTIVE | Use.PRESET, symbol=SPIN.symbol, si=SPIN.si),
         default=2.0,
         bounds=(0.0, 4.0),
         step=0.02,
@@ -56,7 +62,7 @@ class RotorInputs(param.Parameterized):
         doc="EI/(κGAL²). At 0 it is the Euler–Bernoulli shaft; larger values are softer in shear.",
     )
     disk_mass = Number(
-        Facts("md", DESCRIPTIVE, symbol="M̄_D"),
+        Facts("md", DESCRIPTIVE, symbol="M̄_D", si=SIForm("M_D", Measure.MASS)),
         default=BASE_CASE.disk_mass,
         bounds=(0.5, 20.0),
         step=0.05,
@@ -65,7 +71,7 @@ class RotorInputs(param.Parameterized):
         "of the shaft: use it for 3 or more.",
     )
     diametral_inertia = Number(
-        Facts("id", DESCRIPTIVE, symbol="Ī_D"),
+        Facts("id", DESCRIPTIVE, symbol="Ī_D", si=SIForm("I_D", Measure.INERTIA)),
         default=BASE_CASE.diametral_inertia,
         bounds=(0.01, 3.0),
         step=0.01,
@@ -73,7 +79,7 @@ class RotorInputs(param.Parameterized):
         doc="The disk's moment of inertia about a diameter, divided by ρAL³.",
     )
     polar_inertia = Number(
-        Facts("ip", DESCRIPTIVE, symbol="Ī_P"),
+        Facts("ip", DESCRIPTIVE, symbol="Ī_P", si=SIForm("I_P", Measure.INERTIA)),
         default=BASE_CASE.polar_inertia,
         bounds=(0.0, 6.0),
         step=0.02,

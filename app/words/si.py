@@ -3,41 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from rotorstab import Scales
 from rotorstab.charts import LOAD_UNITS, Chart, chart_factors, in_si, load_unit, written
+from rotorstab.charts.quantities import Measure, Quantity, SIForm
+from rotorstab.charts.si import SIUnits, unit_in_si
 
 from ..reading.user_error import UserError
 from ..state import SI_INPUTS, SYMBOLS, State
-from ..state.rates import hertz, rpm
+from ..state.inputs import FACTS
+from ..state.rates import hertz
 from .typography import with_unit
 
 __all__ = [
+    "KEY_NUMBERS",
+    "InputInSI",
     "chart_in_si",
     "displayed",
+    "inputs_in_si",
+    "key_number_label",
     "key_numbers",
     "load_in",
     "load_words",
     "named_inputs",
-    "quantities_in_si",
+    "rotor_inputs_in_si",
     "shaft_words",
     "shown_scales",
     "si_answer",
 ]
 
-_SI_SYMBOLS = {
-    "static_load_factor": "P_0",
-    "spin_speed": "Ω",
-    "disk_mass": "M_D",
-    "diametral_inertia": "I_D",
-    "polar_inertia": "I_P",
-    "largest_factor": "P_t max",
-    "marker_factor": "P_t",
-    "lowest_frequency": "θ/2π min",
-    "highest_frequency": "θ/2π max",
-    "marker_frequency": "θ/2π",
+KEY_NUMBERS = {
+    "buckling": Quantity("Buckling load", "p̄_cr", si=SIForm("P_cr", Measure.LOAD)),
+    "flutter": Quantity(
+        "Flutter load (follower, at this spin)", "p̄_f", si=SIForm("P_f", Measure.LOAD)
+    ),
+    "static_load": Quantity("Static load", "p̄_0", si=SIForm("P_0", Measure.LOAD)),
+    "fundamental": Quantity(
+        "Natural frequency at rest", "ω_n", si=SIForm("f_n", Measure.FREQUENCY)
+    ),
 }
+"""The key numbers of a view by their names in `Result.numbers`; for the report, the picture and the
+table of pins."""
+
+
+def key_number_label(name: str, scales: Scales | None, unit: str | None = None) -> str:
+    """Return the label of a key number, with its unit where it is in SI."""
+    quantity = KEY_NUMBERS[name]
+    form = quantity.si
+    if scales is None or form is None:
+        return quantity.label(with_unit=False)
+    return f"{quantity.words} {form.symbol} [{unit_in_si(form.measure, scales, unit)[1]}]"
 
 
 def chart_in_si(
@@ -74,15 +91,31 @@ def load_words(load: float, scales: Scales) -> str:
     return with_unit(written(load * factor), unit)
 
 
-def quantities_in_si(scales: Scales) -> dict[str, tuple[float, str]]:
-    """Return what one unit of a rotor's inputs is in SI, and the unit."""
-    inertia = scales.mass * scales.length**2
-    return {
-        "spin_speed": (rpm(scales), "rpm"),
-        "disk_mass": (scales.mass, "kg"),
-        "diametral_inertia": (inertia, "kg m²"),
-        "polar_inertia": (inertia, "kg m²"),
-    }
+@dataclass(frozen=True)
+class InputInSI:
+    """What 1 of an input is in SI, the unit and the symbol there."""
+
+    factor: float
+    unit: str
+    symbol: str
+
+
+def inputs_in_si(units: SIUnits) -> dict[str, InputInSI]:
+    """Return what the inputs without dimension are in SI, by their names."""
+    found = {}
+    for name, facts in FACTS.items():
+        if facts.si is not None:
+            quantity = Quantity("", facts.symbol, si=facts.si)
+            unit = units.quantity(quantity).unit
+            found[name] = InputInSI(units.factor(quantity), unit, facts.si.symbol)
+    return found
+
+
+def rotor_inputs_in_si(scales: Scales) -> dict[str, InputInSI]:
+    """Return what the inputs are in SI that have the scales of the shaft, by their names."""
+    own = {name for name, facts in FACTS.items() if facts.si is not None and facts.si.of is None}
+    found = inputs_in_si(SIUnits(scales, 1.0, 1.0))
+    return {name: form for name, form in found.items() if name in own}
 
 
 def key_numbers(
@@ -106,27 +139,13 @@ def key_numbers(
     return {**loads, "fundamental": numbers["fundamental"] * to_hertz, "whirl": whirl}
 
 
-def _inputs_in_si(scales: Scales, numbers: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Return by input what 1 is in SI ("factor"), the "unit" and the "symbol"."""
-    load, load_name = load_in(scales)
-    found = quantities_in_si(scales)
-    for name in ("static_load_factor", "largest_factor", "marker_factor"):
-        found[name] = (numbers["reference"] * load, load_name)
-    for name in ("lowest_frequency", "highest_frequency", "marker_frequency"):
-        found[name] = (numbers["fundamental"] * hertz(scales), "Hz")
-    return {
-        name: {"factor": factor, "unit": unit, "symbol": _SI_SYMBOLS[name]}
-        for name, (factor, unit) in found.items()
-    }
-
-
 def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -> dict[str, Any]:
     """Return what the browser shows in SI: key numbers, units of the sliders, chart factors."""
     scales = state.scales()
-    inputs = _inputs_in_si(scales, numbers)
+    inputs = inputs_in_si(SIUnits(scales, numbers["fundamental"], numbers["reference"]))
     hints = {
-        name: with_unit(written(getattr(state, name) * one["factor"]), one["unit"])
-        for name, one in inputs.items()
+        name: with_unit(written(getattr(state, name) * form.factor), form.unit)
+        for name, form in inputs.items()
     }
     factors = {
         key: chart_factors(key, scales, numbers["fundamental"], numbers["reference"])
@@ -136,7 +155,7 @@ def si_answer(state: State, numbers: Mapping[str, Any], keys: tuple[str, ...]) -
         "numbers": key_numbers(scales, numbers),
         "load_unit": load_unit(scales),
         "hints": hints,
-        "inputs": inputs,
+        "inputs": {name: asdict(form) for name, form in inputs.items()},
         "factors": factors,
     }
 

@@ -114,6 +114,8 @@ def test_the_pins_table_is_in_si_with_the_scales_of_each_pins_own_shaft():
             for scale in (thick, thin)
         ]
         assert rows[label] == [written(one * by[0], 5), written(old * by[1], 5)]
+    # the shafts differ in their inertias too, which are named as quantities with dimensions
+    assert {"Diametral inertia I_D [kg m²]", "Polar inertia I_P [kg m²]"} <= set(rows)
     # one unit in one row: that of the present shaft
     buckling = page.answer(state)["numbers"]["buckling"]
     assert rows["Buckling load P_cr [MN]"] == [

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .quantities import GROWTH, GROWTH_SI, Quantity
+from .quantities import GROWTH, Quantity
 from .structure import Chart, Curve, Layer
 
 __all__ = [
@@ -134,7 +134,9 @@ def growth_bands(chart: Chart) -> Layer | None:
 
 def growth_of(chart: Chart) -> Quantity:
     """Return the growth rate in the units of a chart."""
-    return GROWTH_SI if chart.in_si else GROWTH
+    form = GROWTH.si
+    assert form is not None
+    return Quantity(GROWTH.words, form.symbol, form.measure.value) if chart.in_si else GROWTH
 
 
 def chart_figure(

@@ -9,7 +9,7 @@ import numpy as np
 from ..bolotin.chart import BolotinChart
 from .columns import Lines, label_columns
 from .modes import modes
-from .quantities import EXCITATION_RATIO, LOAD_FACTOR
+from .quantities import AXES
 from .structure import Chart, Layer
 from .tongues import GrowthGrid, blank_layers, growth_layers, outline_layers, tongue_labels
 
@@ -61,8 +61,8 @@ def instability_chart(
     return Chart(
         key="instability",
         title="Instability chart",
-        x=EXCITATION_RATIO,
-        y=LOAD_FACTOR,
+        x=AXES["instability"][0],
+        y=AXES["instability"][1],
         x_range=frequency_range,
         y_range=(low, high),
         layers=(

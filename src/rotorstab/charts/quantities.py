@@ -1,25 +1,71 @@
-"""What is measured along an axis or named at a mark: words, symbol, unit and value as fields."""
+"""What is measured along an axis or named at a mark: words, symbol, unit and value as fields.
+
+Each quantity of the charts stands here once, with its form in SI; `si` has what one unit is there.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 __all__ = [
+    "AXES",
     "EXCITATION",
     "EXCITATION_RATIO",
     "GROWTH",
     "GROWTH_PER_PERIOD",
-    "GROWTH_SI",
     "LOAD",
     "LOAD_FACTOR",
     "SPIN",
     "WHIRL",
     "Amount",
+    "Measure",
     "Quantity",
+    "SIForm",
+    "ShareOf",
     "Wording",
 ]
 
 _FREQUENCY = "√(EI/ρAL⁴)"
+
+
+class Measure(Enum):
+    """What a quantity is measured in, in SI."""
+
+    LOAD = "N, or what suits the shaft"
+    FREQUENCY = "Hz"
+    SPIN = "rpm"
+    RATE = "1/s"
+    MASS = "kg"
+    INERTIA = "kg m²"
+    NUMBER = ""
+
+
+class ShareOf(Enum):
+    """What a quantity without dimension is divided by."""
+
+    REFERENCE_LOAD = "the load that load factors refer to"
+    FUNDAMENTAL_FREQUENCY = "ω_n"
+
+
+@dataclass(frozen=True)
+class SIForm:
+    """How a quantity is named and measured in SI.
+
+    Parameters
+    ----------
+    symbol : str
+    measure : Measure
+    of : ShareOf, optional
+        What the non-dimensional value is a share of; by default it has the scale of the measure.
+    words : str
+        Its name, where it differs.
+    """
+
+    symbol: str
+    measure: Measure
+    of: ShareOf | None = None
+    words: str = ""
 
 
 @dataclass(frozen=True)
@@ -34,11 +80,14 @@ class Quantity:
         Such as "p̄".
     unit : str
         "-" where there is none.
+    si : SIForm, optional
+        None for a quantity that is the same in all units, and for one that is in SI.
     """
 
     words: str
     symbol: str
     unit: str = "-"
+    si: SIForm | None = None
 
     def name(self, with_unit: bool) -> str:
         """Return the symbol, followed by the unit in brackets if asked for and if there is one."""
@@ -55,15 +104,29 @@ class Quantity:
         return f"{self.words} {self.name(with_unit)}".strip()
 
 
-LOAD = Quantity("static load", "p̄", "EI/L²")
-SPIN = Quantity("spin speed", "Ω̄", _FREQUENCY)
-WHIRL = Quantity("whirl", "ω̄", _FREQUENCY)
-EXCITATION = Quantity("excitation frequency", "θ̄", _FREQUENCY)
-EXCITATION_RATIO = Quantity("excitation frequency", "θ/ωₙ")
-LOAD_FACTOR = Quantity("dynamic load factor", "β_d")
-GROWTH = Quantity("growth rate", "σ̄", _FREQUENCY)
-GROWTH_PER_PERIOD = Quantity("growth per period", "σ̄T")
-GROWTH_SI = Quantity("growth rate", "σ", "1/s")
+LOAD = Quantity("static load", "p̄", "EI/L²", SIForm("P", Measure.LOAD))
+SPIN = Quantity("spin speed", "Ω̄", _FREQUENCY, SIForm("Ω", Measure.SPIN))
+WHIRL = Quantity("whirl", "ω̄", _FREQUENCY, SIForm("ω/2π", Measure.FREQUENCY))
+EXCITATION = Quantity("excitation frequency", "θ̄", _FREQUENCY, SIForm("θ/2π", Measure.FREQUENCY))
+EXCITATION_RATIO = Quantity(
+    "excitation frequency",
+    "θ/ωₙ",
+    si=SIForm("θ/2π", Measure.FREQUENCY, ShareOf.FUNDAMENTAL_FREQUENCY),
+)
+LOAD_FACTOR = Quantity(
+    "dynamic load factor",
+    "β_d",
+    si=SIForm("Pₜ", Measure.LOAD, ShareOf.REFERENCE_LOAD, "pulsating load"),
+)
+GROWTH = Quantity("growth rate", "σ̄", _FREQUENCY, SIForm("σ", Measure.RATE))
+GROWTH_PER_PERIOD = Quantity("growth per period", "σ̄T", si=SIForm("σT", Measure.NUMBER))
+
+AXES = {
+    "instability": (EXCITATION_RATIO, LOAD_FACTOR),
+    "load-frequency": (LOAD, WHIRL),
+    "campbell": (SPIN, WHIRL),
+}
+"""Abscissa and ordinate of the charts that have a form in SI, by the key of the chart."""
 
 
 @dataclass(frozen=True)

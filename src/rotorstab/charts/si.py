@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,64 +11,87 @@ import numpy as np
 
 from ..rotors.shaft_disk import Scales
 from .numbers import LOAD_UNITS, load_unit, written
-from .quantities import (
-    EXCITATION,
-    GROWTH,
-    GROWTH_PER_PERIOD,
-    GROWTH_SI,
-    LOAD,
-    SPIN,
-    WHIRL,
-    Amount,
-    Quantity,
-)
+from .quantities import AXES, GROWTH, Amount, Measure, Quantity, ShareOf
 from .roles import ROLES
 from .structure import Chart, Layer
 
-__all__ = ["chart_factors", "in_seconds", "in_si"]
+__all__ = ["SIUnits", "chart_factors", "in_seconds", "in_si", "unit_in_si"]
 
 _TURN = 2 * math.pi
 _SI_MEANINGS = {role.meaning: role.si_meaning for role in ROLES.values() if role.si_meaning}
 
 
-@dataclass(frozen=True)
-class _Scaled:
-    """A quantity in SI, and what one non-dimensional unit of it is."""
+def unit_in_si(measure: Measure, scales: Scales, load: str | None = None) -> tuple[float, str]:
+    """Return what one non-dimensional unit is in SI, and the name of the unit in SI.
 
-    quantity: Quantity
-    factor: float
-
-
-def _in_si(scales: Scales, unit: str) -> dict[Quantity, _Scaled]:
-    """Return what each non-dimensional quantity is in SI; loads are in `unit`."""
+    Parameters
+    ----------
+    measure : Measure
+    scales : Scales
+        Of the shaft.
+    load : str, optional
+        Unit of loads, a key of `LOAD_UNITS`; `load_unit` of the shaft by default.
+    """
     hertz = scales.frequency / _TURN
-    return {
-        LOAD: _Scaled(Quantity("static load", "P", unit), scales.load / LOAD_UNITS[unit]),
-        SPIN: _Scaled(Quantity("spin speed", "Ω", "rpm"), 60 * hertz),
-        WHIRL: _Scaled(Quantity("whirl", "ω/2π", "Hz"), hertz),
-        EXCITATION: _Scaled(Quantity("excitation frequency", "θ/2π", "Hz"), hertz),
-        GROWTH: _Scaled(GROWTH_SI, scales.frequency),
-        GROWTH_PER_PERIOD: _Scaled(Quantity("growth per period", "σT"), 1.0),
-    }
+    if measure is Measure.LOAD:
+        load = load or load_unit(scales)
+        return scales.load / LOAD_UNITS[load], load
+    factor = {
+        Measure.FREQUENCY: hertz,
+        Measure.SPIN: 60 * hertz,
+        Measure.RATE: scales.frequency,
+        Measure.MASS: scales.mass,
+        Measure.INERTIA: scales.mass * scales.length**2,
+        Measure.NUMBER: 1.0,
+    }[measure]
+    return factor, measure.value
 
 
-def _axes(
-    known: Mapping[Quantity, _Scaled], frequency: float, load: float
-) -> dict[str, tuple[_Scaled, _Scaled]]:
-    """Return both axes by a chart's key; `frequency` and `load` are what the ratios stand for."""
-    excitation, force = known[EXCITATION], known[LOAD]
-    return {
-        "instability": (
-            _Scaled(excitation.quantity, frequency * excitation.factor),
-            _Scaled(Quantity("pulsating load", "Pₜ", force.quantity.unit), load * force.factor),
-        ),
-        "load-frequency": (force, known[WHIRL]),
-        "campbell": (known[SPIN], known[WHIRL]),
-    }
+@dataclass(frozen=True)
+class SIUnits:
+    """What the quantities of one rotor's charts are in SI.
+
+    Parameters
+    ----------
+    scales : Scales
+        Of the shaft.
+    fundamental_frequency, reference_load : float
+        ω_n [√(EI/(ρAL⁴))], and what β_d = 1 stands for [EI/L²].
+    load : str, optional
+        Unit of loads; `load_unit` of the shaft by default.
+    """
+
+    scales: Scales
+    fundamental_frequency: float
+    reference_load: float
+    load: str | None = None
+
+    def factor(self, quantity: Quantity) -> float:
+        """Return what a value of 1 is in SI; 1 for a quantity without a form in SI."""
+        if quantity.si is None:
+            return 1.0
+        share = {
+            None: 1.0,
+            ShareOf.FUNDAMENTAL_FREQUENCY: self.fundamental_frequency,
+            ShareOf.REFERENCE_LOAD: self.reference_load,
+        }[quantity.si.of]
+        return share * unit_in_si(quantity.si.measure, self.scales, self.load)[0]
+
+    def quantity(self, quantity: Quantity) -> Quantity:
+        """Return the quantity as it is named and measured in SI."""
+        form = quantity.si
+        if form is None:
+            return quantity
+        unit = unit_in_si(form.measure, self.scales, self.load)[1]
+        return Quantity(form.words or quantity.words, form.symbol, unit or "-")
 
 
 def chart_factors(
-    key: str, scales: Scales, fundamental_frequency: float, reference_load: float
+    key: str,
+    scales: Scales,
+    fundamental_frequency: float,
+    reference_load: float,
+    unit: str | None = None,
 ) -> tuple[float, float]:
     """Return what one unit of each axis is in SI: (1, 1) for a chart without dimensions.
 
@@ -76,12 +99,12 @@ def chart_factors(
     ----------
     key : str
         Of the chart.
-    scales, fundamental_frequency, reference_load
+    scales, fundamental_frequency, reference_load, unit
         As in `in_si`.
     """
-    known = _in_si(scales, load_unit(scales))
-    axes = _axes(known, fundamental_frequency, reference_load).get(key)
-    return (1.0, 1.0) if axes is None else (axes[0].factor, axes[1].factor)
+    units = SIUnits(scales, fundamental_frequency, reference_load, unit)
+    x, y = (units.factor(quantity) for quantity in AXES[key]) if key in AXES else (1.0, 1.0)
+    return x, y
 
 
 def in_si(
@@ -112,18 +135,17 @@ def in_si(
         Growth becomes σ [1/s], unless it is per period; names that give a load or a frequency
         give it in SI.
     """
-    known = _in_si(scales, unit or load_unit(scales))
-    axes = _axes(known, fundamental_frequency, reference_load).get(chart.key)
-    if axes is None or chart.in_si:
+    if chart.in_si or chart.x.si is None or chart.y.si is None:
         return chart
-    x, y = axes
-    convert = _Converter(x.factor, y.factor, known)
+    units = SIUnits(scales, fundamental_frequency, reference_load, unit)
+    x, y = units.factor(chart.x), units.factor(chart.y)
+    convert = _Converter(x, y, units)
     return replace(
         chart,
-        x=x.quantity,
-        y=y.quantity,
-        x_range=(chart.x_range[0] * x.factor, chart.x_range[1] * x.factor),
-        y_range=(chart.y_range[0] * y.factor, chart.y_range[1] * y.factor),
+        x=units.quantity(chart.x),
+        y=units.quantity(chart.y),
+        x_range=(chart.x_range[0] * x, chart.x_range[1] * x),
+        y_range=(chart.y_range[0] * y, chart.y_range[1] * y),
         layers=tuple(map(convert.layer, chart.layers)),
         units="SI",
     )
@@ -159,7 +181,7 @@ class _Converter:
 
     x: float
     y: float
-    known: Mapping[Quantity, _Scaled]
+    units: SIUnits
 
     def layer(self, layer: Layer) -> Layer:
         columns: dict[str, Any] = dict(layer.columns)
@@ -187,19 +209,20 @@ class _Converter:
 
     def _amount(self, amount: Amount) -> str:
         """Return the text of an amount in SI."""
-        scaled = self.known[amount.quantity]
-        text = f"{written(amount.value * scaled.factor, 5)} {scaled.quantity.unit}"
-        return text if amount.bare else f"{scaled.quantity.symbol}{amount.index} = {text}"
+        shown = self.units.quantity(amount.quantity)
+        value = amount.value * self.units.factor(amount.quantity)
+        text = f"{written(value, 5)} {shown.unit}"
+        return text if amount.bare else f"{shown.symbol}{amount.index} = {text}"
 
     def _bands(self, layer: Layer) -> Layer:
         assert layer.quantity is not None
-        shown = self.known[layer.quantity]
-        factors = {"x": self.x, "y": self.y, "growth": shown.factor, "top": shown.factor}
+        rate = self.units.factor(layer.quantity)
+        factors = {"x": self.x, "y": self.y, "growth": rate, "top": rate}
         columns: dict[str, Any] = {
             name: [column[0] * factors[name]] if name in factors else column
             for name, column in layer.columns.items()
         }
-        return replace(layer, columns=columns, quantity=shown.quantity)
+        return replace(layer, columns=columns, quantity=self.units.quantity(layer.quantity))
 
     def _map(self, layer: Layer) -> Layer:
         factors = {"x": self.x, "dw": self.x, "y": self.y, "dh": self.y}
@@ -209,8 +232,8 @@ class _Converter:
         }
         if layer.quantity is None:
             return replace(layer, columns=columns)
-        shown, rate = self.known[layer.quantity], self.known[GROWTH]
-        columns["image"] = [columns["image"][0] * np.float32(shown.factor)]
-        columns["rate"] = [columns["rate"][0] * np.float32(rate.factor)]
+        shown, rate = self.units.factor(layer.quantity), self.units.factor(GROWTH)
+        columns["image"] = [columns["image"][0] * np.float32(shown)]
+        columns["rate"] = [columns["rate"][0] * np.float32(rate)]
         columns["frequency"] = [_TURN]  # the hover's θ is 2π times the abscissa in Hz
-        return replace(layer, columns=columns, quantity=shown.quantity)
+        return replace(layer, columns=columns, quantity=self.units.quantity(layer.quantity))

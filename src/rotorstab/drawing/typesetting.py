@@ -12,7 +12,7 @@ from ..charts import Chart
 __all__ = ["finish_panel", "mathtext"]
 
 _SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₙₜ", "0123456789nt")
-_INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[DPdefinst])\b)?"  # as Unicode, or after an underscore
+_INDEX = r"([₀-₉ₙₜ]*)(?:_(cr|[0DPdefinst])\b)?"  # as Unicode, or after an underscore
 _BARRED = re.compile("(.)\u0304" + _INDEX)
 _PLAIN = re.compile(r"([αβζμωIMPf])(?=[₀ₙₜ_])" + _INDEX)
 _ROUNDING = 1e-9  # of a range
