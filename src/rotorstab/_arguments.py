@@ -9,10 +9,13 @@ import numpy as np
 
 from ._types import Array, ArrayLike
 
-__all__ = ["LARGEST", "choice", "number", "numbers", "series", "whole_number"]
+__all__ = ["LARGEST", "LARGEST_LOAD", "choice", "number", "numbers", "series", "whole_number"]
 
 LARGEST = 1e9
-"""Largest spin speed, load and damping ratio [-]; beyond, results would be rounding errors only."""
+"""Largest spin speed and damping ratio; beyond, results would be rounding errors only."""
+
+LARGEST_LOAD = 1e12
+"""Largest load, either sign: in newtons, a stocky shaft of a metre in diameter buckles at 1e11."""
 
 
 def _interval(low: float, high: float, open_low: bool, open_high: bool) -> str:

@@ -314,6 +314,20 @@ def test_bad_arguments_are_refused(change, message):
         FRISWELL_597.system(**{"spin_speed": 0.0, **change})
 
 
+def test_parts_of_sizes_too_far_apart_are_told():
+    foil = ShaftSection(1e-6, 1e4, STEEL, shear_coefficient=math.inf)
+    with pytest.raises(ValueError, match="`rotor` must have lengths, diameters, masses"):
+        Rotor((foil,)).system(0.0, elements=1)
+
+
+def test_a_stocky_shaft_takes_the_load_that_buckles_it():
+    rotor = Rotor((ShaftSection(2.0, 1.0, STEEL),), clamps=(0.0, 2.0))
+    buckling = rotor.critical_load()
+    assert buckling > 1e9
+    whirl = whirl_frequencies(rotor.system(0.0, modes=4), 0.99 * buckling)
+    assert np.isfinite(whirl).all()
+
+
 def test_a_shaft_without_a_free_coordinate_is_refused():
     with pytest.raises(ValueError, match="`elements` must leave a free coordinate, got 1"):
         Rotor((SHAFT,), clamps=(0.0, 1.5)).system(0.0, elements=1)

@@ -105,7 +105,8 @@ def whirl_shapes(
             scale = np.maximum(np.abs(basis.frequencies[kept]), slowest)
             for side in (basis.vectors[:n, kept], left[:, kept]):
                 size = np.sqrt(np.einsum("ik,ij,jk->k", side.conj(), system.mass, side).real)
-                side = side / (size * scale)
+                # a shape that vanishes but for rounding has no scale
+                side = side[:, size > 0] / (size * scale)[size > 0]
                 shapes += [side.real, side.imag] if np.iscomplexobj(side) else [side]
     return np.hstack(shapes)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import block_diag, eigh, eigvalsh
 
+from .._arguments import LARGEST, LARGEST_LOAD
 from .._types import Array, Index
 from .reduction import whirl_shapes
 from .system import System
@@ -48,14 +49,15 @@ def whirl_basis(system: System, modes: int) -> Array:
     squares = np.array([squares for squares, _ in modes_at_rest])
     free = [shapes for _, shapes in modes_at_rest]
     small = system.projected(block_diag(*free))
-    highest = float(np.sqrt(np.abs(squares[:, modes - 1]).max()))
+    # the first two may be rigid motions
+    highest = float(np.sqrt(np.abs(squares[:, : max(modes, 3)]).max()))
     slowest = _SLOW * highest
     energies = squares.ravel().clip(min=slowest**2)
-    load = _reference_load(small.geometric, energies, slowest)
+    load = min(_reference_load(small.geometric, energies, slowest), LARGEST_LOAD)
     shapes = whirl_shapes(
         small,
         [share * load for share in _LOADS],
-        [share * highest for share in _SPEEDS],
+        [min(share * highest, LARGEST) for share in _SPEEDS],
         max(1, (modes * planes + 1) // 2),
         slowest,
     )

@@ -41,8 +41,9 @@ def rotor_system(
     Raises
     ------
     ValueError
-        If an argument is out of range, the rotor would have more than 400 elements, or no
-        coordinate is free.
+        If an argument is out of range, the rotor would have more than 400 elements, no coordinate
+        is free, or its parts differ so much in size that its matrices are singular but for
+        rounding.
 
     Notes
     -----
@@ -76,7 +77,13 @@ def rotor_system(
     spin_speed = numbers("spin_speed", spin_speed, -LARGEST, LARGEST)
     if modes is not None:
         modes = whole_number("modes", modes, 1, len(rotor_mesh(rotor, elements).free))
-    return _resting_system(rotor, elements, modes).at_speed(spin_speed)
+    try:
+        return _resting_system(rotor, elements, modes).at_speed(spin_speed)
+    except np.linalg.LinAlgError:
+        raise ValueError(
+            "`rotor` must have lengths, diameters, masses and stiffnesses of a like size: "
+            "its matrices are singular, but for rounding"
+        ) from None
 
 
 def supports(rotor: Rotor, elements: int, name: str) -> Array:
@@ -105,6 +112,7 @@ def _resting_system(rotor: Rotor, elements: int, modes: int | None) -> System:
         system = _resting_system(rotor, elements, None)
         return system.projected(whirl_basis(system, modes))
     plane = plane_matrices(rotor, elements)
+    np.linalg.cholesky(plane.mass)  # raises LinAlgError
     stiffness, damping = (supports(rotor, elements, name) for name in ("stiffness", "damping"))
     if rotor.is_isotropic:
         matrices = {

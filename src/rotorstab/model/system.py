@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .._arguments import LARGEST, numbers
+from .._arguments import LARGEST, LARGEST_LOAD, numbers
 from .._tolerances import MAP_SHORT_OF_POLE
 from .._types import AnyArray, Array, ArrayLike, Complex, Mask
 from .periodic_load import COSINE, PeriodicLoad
@@ -234,7 +234,7 @@ class System:
         ValueError
             If a load is not finite, or past the pole of the stiffness.
         """
-        load = numbers("load", load, -LARGEST, LARGEST)
+        load = numbers("load", load, -LARGEST_LOAD, LARGEST_LOAD)
         if self.law is not None:
             return self.law.stiffness(load)
         stiffness = self.elastic + load[..., None, None] * self.geometric

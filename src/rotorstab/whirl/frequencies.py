@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .._arguments import LARGEST, numbers
+from .._arguments import LARGEST_LOAD, numbers
 from .._numerics.quartic import quartic_roots
 from .._numerics.two_by_two import determinant, entries, mixed_determinant
 from .._types import Array, ArrayLike, Complex
@@ -45,7 +45,7 @@ def whirl_frequencies(system: System, load: ArrayLike) -> Complex:
     >>> whirl_frequencies(lumped(ShaftDisk(), 1.0), 0.0).real.round(4).tolist()
     [-1.9348, -0.4041, 0.9092, 3.4297]
     """
-    load = numbers("load", load, -LARGEST, LARGEST)
+    load = numbers("load", load, -LARGEST_LOAD, LARGEST_LOAD)
     if system.size == 2 and not system.is_damped and not system.is_rotating:
         return _quartic_frequencies(system, load)
     return frequencies_by_eigenvalues(system, load)

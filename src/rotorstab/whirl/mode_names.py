@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .._arguments import LARGEST, number
+from .._arguments import LARGEST_LOAD, number
 from .._tolerances import NEGLIGIBLE, STRAIGHT_ORBIT
 from .._types import AnyArray, Array, ArrayLike, Complex
 from ..model.modal import modal_basis
@@ -158,7 +158,7 @@ def named_frequencies(system: System, load: float = 0.0) -> Complex:
     single_speed(system)
     if system.planes:
         raise ValueError("`system` must have complex coordinates, got one of two planes")
-    load = number("load", load, -LARGEST, LARGEST)
+    load = number("load", load, -LARGEST_LOAD, LARGEST_LOAD)
     loads = np.linspace(0.0, load, _LOADS) if load else np.zeros(1)
     rows = [whirl_frequencies(system, loads)]
     if system.is_damped:
