@@ -109,6 +109,8 @@ class Session:
         if isinstance(values, Mapping):
             message["values"] = values
         kind = message.get("type")
+        if self.pages[self.active].resize(message):
+            self._shown = None
         if kind != "settle":
             background.touch(id(self))
             self._shown = None

@@ -187,7 +187,7 @@ window.rotorstab.inspector = (() => {
       // the charts of the point are made after the first picture has been painted, when the page asks again
       painted = asked;
       if (asked) for (const delay of [0, 60, 400]) setTimeout(page.paintCharts, delay);
-      else requestAnimationFrame(() => setTimeout(() => page.send({ type: "settle" })));
+      else requestAnimationFrame(() => setTimeout(() => page.send(page.restMessage())));
       asked = true;
     },
   };

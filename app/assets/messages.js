@@ -45,7 +45,7 @@ window.rotorstab.messages = (() => {
   function settle() {
     // if a message is still being answered, request the full picture right after its answer
     due = moving();
-    if (!due) send({ type: "settle" });
+    if (!due) send(page.restMessage());
   }
 
   function change(name, value) {

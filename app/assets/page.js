@@ -65,13 +65,25 @@
   const watched = new WeakSet();
   let settling = 0;
 
+  // pixels of the screen between the axes of the instability chart, for which the server computes it
+  let told = "";
+  function pixels() {
+    const { width, height } = page.places.view(ZOOMED[0])?.frame.bbox ?? {};
+    return width ? { width: Math.round(width * devicePixelRatio), height: Math.round(height * devicePixelRatio) } : {};
+  }
+  page.restMessage = () => {
+    const size = pixels();
+    told = JSON.stringify(size);
+    return { type: "settle", ...size };
+  };
+
   function tellWindow(figure) {
     const factors = page.last?.si?.factors?.[figure.name] ?? [1, 1];
     const [left, right] = [figure.x_range.start, figure.x_range.end].map((end) => end / factors[0]);
     const [low, high] = [figure.y_range.start, figure.y_range.end].map((end) => end / factors[1]);
     page.send({ type: "window", chart: figure.name, left, right, low, high });
     clearTimeout(settling);
-    settling = setTimeout(() => page.send({ type: "settle" }), 2 * WAIT);
+    settling = setTimeout(() => page.send(page.restMessage()), 2 * WAIT);
   }
 
   function watchWindow(figure) {
@@ -84,6 +96,12 @@
       waiting = setTimeout(tell, Math.max(0, sent + WAIT - Date.now()));
     };
     for (const range of [figure.x_range, figure.y_range]) range.change.connect(moved);
+    if (figure.name !== ZOOMED[0]) return;
+    let resized = 0;
+    page.places.watch(figure.name, () => {
+      clearTimeout(resized);
+      resized = setTimeout(() => { if (![told, "{}"].includes(JSON.stringify(pixels()))) page.send(page.restMessage()); }, 2 * WAIT);
+    });
   }
 
   // the wheel and two fingers zoom; where the page scrolls, the wheel needs Ctrl, which a touch pad's pinch sends, too

@@ -139,6 +139,10 @@ class Page:
         """Whether this page runs a lesson beside the charts."""
         return False
 
+    def resize(self, message: Mapping[str, Any]) -> bool:
+        """Note how large a chart is, if a message tells it; return whether more is to be drawn."""
+        return False
+
     def cache_key(self) -> tuple[Any, ...]:
         """Return, hashable, what besides the inputs decides what the charts show."""
         return ()

@@ -19,7 +19,7 @@ from ..results.curves import load_cases
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..results.operation import operation_of
-from ..results.views import Frame, View, view_of
+from ..results.views import Frame, View, fineness_of, view_of
 from ..results.whirl_charts import WHIRL_CHARTS, whirl_bounds, whirl_chart
 from ..results.window import Window
 from ..state import State
@@ -63,6 +63,7 @@ class Explore(Page):
         # the last inspection, and what it was made of
         self._inspected: tuple[tuple[Any, ...], Result, Inspection | str] | None = None
         self.views: Mapping[str, View] = {}  # the part that a zoom shows, by the key of the chart
+        self.fineness = 1  # of the instability chart, for the pixels that it has on the screen
         self.fitted: dict[str, float] = {}  # upper ends of the colours that the user has asked for
 
     @classmethod
@@ -76,7 +77,8 @@ class Explore(Page):
 
     def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the three charts, and those of the marked point once there is time for them."""
-        result = solve(state, detail, self.view)
+        view = self.view(state)
+        result = self._result(state, detail)
         marked = state.marker and self.stage is Stage.COMPLETE
         charts = result.charts | self._zoomed(state)
         if marked:
@@ -85,10 +87,11 @@ class Explore(Page):
         if top is not None:
             charts = charts | {"instability": with_top(charts["instability"], top)}
         charts = displayed(charts, state, result.numbers)
-        charts = self._pinned.added(charts, self.pins, state, result, self.views)
+        views = self.views if view is None else {**self.views, "instability": view}
+        charts = self._pinned.added(charts, self.pins, state, result, views)
         beside = self._compared(state)
         if beside is not None:
-            chart = self._pinned.beside(beside, state, result, self.view)
+            chart = self._pinned.beside(beside, state, result, view)
             top = charts["instability"].layer("unstable").columns["top"][0]
             title = side_by_side(state, beside)["pin"]
             charts[COMPARISON] = replace(with_top(chart, top), key=COMPARISON, title=title)
@@ -107,10 +110,22 @@ class Explore(Page):
         """Return the pin whose chart stands beside the present one."""
         return next((pin for pin in self.pins if f"pin {pin.number}" == state.compared), None)
 
-    @property
-    def view(self) -> View | None:
-        """The part of the instability chart that a zoom shows."""
-        return self.views.get("instability")
+    def view(self, state: State) -> View | None:
+        """Return what is seen of the instability chart; None for all of it as finely as usual."""
+        zoomed = self.views.get("instability")
+        if self.fineness == 1:
+            return zoomed
+        return replace(zoomed or home_view(state.inputs()), fineness=self.fineness)
+
+    def _result(self, state: State, detail: Detail) -> Result:
+        """Return what is computed for what is seen."""
+        return solve(state, detail, self.view(state))
+
+    def resize(self, message: Mapping[str, Any]) -> bool:
+        """Note how finely the instability chart is computed for its pixels on the screen."""
+        before, told = self.fineness, fineness_of(message)
+        self.fineness = before if told is None else told
+        return self.fineness != before
 
     def _zoomed(self, state: State) -> dict[str, Chart]:
         """Return the other charts in which the user has zoomed, of the part that is seen."""
@@ -124,7 +139,7 @@ class Explore(Page):
     def awaited(self, state: State) -> Window | None:
         """Return the window of the growth map until its full map is there."""
         try:
-            window = window_of(state, self.view)
+            window = window_of(state, self.view(state))
         except ValueError:  # `compute` raises the same error, for the user
             return None
         return None if known_detail(window) is Detail.FULL else window
@@ -132,15 +147,15 @@ class Explore(Page):
     def later(self, state: State) -> tuple[Window, ...]:
         """Return the windows whose full maps make the outlines of pins exact."""
         try:
-            now = solve(state, Detail.COARSE, self.view)
-            return self._pinned.windows(self.pins, state, now, self.view)
+            now = self._result(state, Detail.COARSE)
+            return self._pinned.windows(self.pins, state, now, self.view(state))
         except ValueError:
             return ()
 
     def cache_key(self) -> tuple[Any, ...]:
         """Return names, numbers and inputs of the pins, and the scales of the colours."""
         pins = ((pin.name, pin.number, *pin.inputs.values()) for pin in self.pins)
-        return *pins, *self.fitted.items(), *self.views.items()
+        return *pins, self.fineness, *self.fitted.items(), *self.views.items()
 
     def _inspect(self, state: State, result: Result) -> Inspection | str:
         """Return the inspection of the marked point, or the reason why there is none.
@@ -178,7 +193,7 @@ class Explore(Page):
 
     def frames(self, state: State) -> dict[str, Frame]:
         """Return the ranges of the charts, in the units that the user chose."""
-        result = solve(state, Detail.COARSE, self.view)
+        result = self._result(state, Detail.COARSE)
         frames = self._frames(state, result)
         scales = shown_scales(state)
         if scales is None:
@@ -251,7 +266,7 @@ class Explore(Page):
         if key not in CHARTS:
             return
         try:
-            frame = self._frames(state, solve(state, Detail.COARSE, self.view))[key]
+            frame = self._frames(state, self._result(state, Detail.COARSE))[key]
         except ValueError:  # these inputs have no charts, and `compute` tells the user why
             return
         view = view_of(message, frame)
@@ -262,7 +277,7 @@ class Explore(Page):
         """Fit the colours to the growth in the chart, or give them their usual scale again."""
         self.fitted = {}
         if fit:
-            bands = solve(state, Detail.COARSE, self.view).charts["instability"].layer("unstable")
+            bands = self._result(state, Detail.COARSE).charts["instability"].layer("unstable")
             growth = np.where(bands.columns["edge"][0] > 0, bands.columns["growth"][0], 0.0)
             self.fitted = {state.growth_unit: fitted_top(growth)}
 
@@ -284,7 +299,7 @@ class Explore(Page):
 
     def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
         """Return the key numbers, the verdict, the marked point and the pins."""
-        result = solve(state, detail, self.view)
+        result = self._result(state, detail)
         beside = self._compared(state)
         answer = {
             "numbers": result.numbers,

@@ -54,7 +54,7 @@ _COARSE_MAPS_OF_MATRICES = {False: MapSize(16, 64, 0.6, 1), True: MapSize(14, 56
 _FULL_MAP_OF_MATRICES = MapSize(48, 120, 1.0, 1)
 
 
-def map_size(model: Model, detail: Detail, matrices: bool = False) -> MapSize:
+def map_size(model: Model, detail: Detail, matrices: bool = False, fineness: int = 1) -> MapSize:
     """Return the size of the growth map of a model.
 
     Parameters
@@ -63,12 +63,18 @@ def map_size(model: Model, detail: Detail, matrices: bool = False) -> MapSize:
     detail : Detail
     matrices : bool
         Whether it is made of the matrices of all whirls, which takes long.
+    fineness : int
+        Of the view. A coarse map and one of the matrices are the same for all screens.
     """
     if matrices:
         coarse, full = _COARSE_MAPS_OF_MATRICES, _FULL_MAP_OF_MATRICES
     else:
         coarse, full = _COARSE_MAPS, _FULL_MAP
-    return coarse[model.is_damped] if detail is Detail.COARSE else full
+    if detail is Detail.COARSE:
+        return coarse[model.is_damped]
+    if matrices:
+        return full
+    return full._replace(rows=fineness * full.rows, columns=fineness * full.columns)
 
 
 MOST_REFINED = {"lumped": 1800, "finite elements": 60}

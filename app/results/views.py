@@ -7,25 +7,34 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["NARROWEST", "Frame", "View", "view_of"]
+__all__ = ["FINEST", "NARROWEST", "Frame", "View", "fineness_of", "view_of"]
 
 NARROWEST = 1e-4
 """Least part of the bounds that a view shows: a narrower one shows rounding."""
+FINEST = 2
+"""Largest fineness of a view: the work of a full map rises with its square."""
+_PIXELS = 1080, 600
+"""Width and height in pixels of the screen up to which the fineness 1 is enough: three columns of
+the finer grid of a full map are then two pixels wide."""
+_MOST_PIXELS = 100_000  # of a side: no screen has more
 
 
 @dataclass(frozen=True)
 class View:
-    """The seen ranges of both axes of a chart, non-dimensional.
+    """The seen ranges of both axes of a chart, non-dimensional, and how finely they are computed.
 
     Parameters
     ----------
     left, right, low, high : float
+    fineness : int
+        1 to `FINEST`: by this number the rows and columns of a full growth map are multiplied.
     """
 
     left: float
     right: float
     low: float
     high: float
+    fineness: int = 1
 
     @property
     def x(self) -> tuple[float, float]:
@@ -39,7 +48,7 @@ class View:
 
     def scaled(self, x: float, y: float) -> View:
         """Return the same ranges in other units, of which one is `x` or `y` of the new ones."""
-        return View(self.left * x, self.right * x, self.low * y, self.high * y)
+        return View(self.left * x, self.right * x, self.low * y, self.high * y, self.fineness)
 
 
 @dataclass(frozen=True)
@@ -95,5 +104,32 @@ def view_of(message: Mapping[str, Any], frame: Frame) -> View | None:
         if last - first < least:
             return None
         ends += [first, last]
-    view = View(*ends)
+    left, right, low, high = ends
+    view = View(left, right, low, high)
     return None if view == home else view
+
+
+def fineness_of(message: Mapping[str, Any]) -> int | None:
+    """Return how finely a chart is computed for the pixels that a message tells.
+
+    Parameters
+    ----------
+    message : mapping
+        With numbers "width" and "height": pixels of the screen between the axes of the chart. It
+        may be forged.
+
+    Returns
+    -------
+    int or None
+        1 to `FINEST`; None where the message tells no size that a screen can have.
+    """
+    needed = 0.0
+    for name, usual in zip(("width", "height"), _PIXELS, strict=True):
+        size = message.get(name)
+        # neither NaN nor a very long whole number passes
+        if isinstance(size, bool) or not isinstance(size, int | float):
+            return None
+        if not 1 <= size <= _MOST_PIXELS:
+            return None
+        needed = max(needed, size / usual)
+    return min(math.ceil(needed), FINEST)

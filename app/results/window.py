@@ -140,7 +140,7 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
 def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
     """Return the map of a window; with `matrices` all whirls of finite elements are kept."""
     operation = window.operation
-    size = map_size(operation.model, detail, matrices)
+    size = map_size(operation.model, detail, matrices, window.view.fineness)
     across = _Axis(*window.frequencies, size.columns, size.finer)
     up = _Axis(*window.loads, size.rows, 1)
     if window.view.low == 0:

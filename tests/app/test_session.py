@@ -527,6 +527,35 @@ def test_a_window_that_cannot_be_shown_is_not_taken(session, key, window):
     assert picture(session)["campbell"] == before["campbell"]
 
 
+def columns_of_the_map(session):
+    return len(charts(session)["instability"].sources["growth"].data["image"][0][0])
+
+
+def test_a_large_screen_has_a_finer_map_at_rest(session):
+    usual = columns_of_the_map(session)
+    session.respond({"type": "settle", "width": 1130, "height": 640})
+    assert columns_of_the_map(session) == 2 * usual
+    change(session, spin_speed=1.7)
+    assert columns_of_the_map(session) < usual  # while a slider moves, it costs the same everywhere
+    session.respond({"type": "settle", "width": 99_999.0, "height": 1})
+    assert columns_of_the_map(session) == 2 * usual  # however large it says that it is
+    session.respond({"type": "settle"})
+    assert columns_of_the_map(session) == 2 * usual
+    session.respond({"type": "settle", "width": 610, "height": 330})
+    assert columns_of_the_map(session) == usual
+
+
+@pytest.mark.parametrize(
+    "size",
+    [math.nan, math.inf, -math.inf, 0, -5, 0.5, 1e308, 10**400, "700", "", True, False, 100_001],
+)
+def test_a_size_that_no_screen_has_changes_nothing(session, size):
+    before = session.pages["explore"].fineness
+    for sizes in ({"width": size, "height": 600}, {"width": 600, "height": size}, {"width": size}):
+        session.respond({"type": "settle", **sizes})
+        assert session.pages["explore"].fineness == before
+
+
 def test_colours_are_fitted_on_demand_only(session):
     scale = charts(session)["instability"].renderers["unstable"].glyph.fill_color.transform
     change(session, spin_speed=1.0, disk_mass=2.0)

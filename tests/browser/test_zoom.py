@@ -1,7 +1,12 @@
 """The wheel and a pinch zoom the charts, alone or side by side, which then show what is seen."""
 
+import numpy as np
 import pytest
 
+from app.results.analysis import window_of
+from app.results.views import fineness_of
+from app.state import State
+from rotorstab import floquet_solution
 from tests.testing.page import FRAME, settle, shown, wait_for_rest
 
 pytestmark = pytest.mark.browser
@@ -70,6 +75,59 @@ def test_the_wheel_zooms_where_nothing_scrolls(desktop, key):
     )
     settle(desktop)
     assert ranges(desktop, key) == whole
+
+
+def along(outline, pixel, count=60):
+    """Return points on an outline with gaps, evenly spread over its length in pixels."""
+    starts, ends = outline[:-1] / pixel, outline[1:] / pixel
+    length = np.nan_to_num(np.hypot(*(ends - starts).T))
+    random = np.random.default_rng(0)
+    chosen = random.choice(len(length), count, p=length / length.sum())
+    part = random.uniform(size=(count, 1))
+    return ((1 - part) * starts[chosen] + part * ends[chosen]) * pixel
+
+
+def unstable(inputs, points):
+    """Return what Floquet's method says of single points (θ/ω_n, β_d)."""
+    state = State(**inputs)
+    operation = window_of(state).operation
+    theta = [operation.excitation_frequency(ratio) for ratio in points[..., 0].ravel()]
+    load = [operation.pulsating_load(max(factor, 0.0)) for factor in points[..., 1].ravel()]
+    found = floquet_solution(
+        operation.system, operation.static_load, np.array(load), np.array(theta)
+    )
+    return (found.growth_rate > 1e-7).reshape(points.shape[:-1])
+
+
+def test_outlines_are_right_to_a_pixel_of_a_fine_screen_also_zoomed(open_page):
+    page = open_page(1366, 768, device_scale_factor=2)
+    settle(page)
+    for zoom in (None, [1.1, 2.3]):
+        if zoom:
+            page.evaluate(
+                """([start, end]) =>
+                  rotorstab.places.view("instability").model.x_range.setv({ start, end })""",
+                zoom,
+            )
+            page.wait_for_timeout(400)  # the window is sent, then the request for the full picture
+        values = settle(page)
+        wait_for_rest(page)
+        _, _, width, height = page.evaluate(FRAME, "instability")
+        sent = page.evaluate("rotorstab.restMessage()")
+        assert (sent["width"], sent["height"]) == (round(2 * width), round(2 * height))
+        assert fineness_of(sent) == 2
+        chart = shown(page)["instability"]
+        (left, right), (low, high) = chart["axes"]
+        edge = next(
+            one for one in chart["layers"] if one.get("name") == ["edge of what is unstable"]
+        )
+        outline = np.array([edge["xs"][0], edge["ys"][0]], float).T
+        pixel = np.array([(right - left) / sent["width"], (high - low) / sent["height"]])
+        turns = np.linspace(0, 2 * np.pi, 9)[:, None]
+        around = np.hstack([np.cos(turns), np.sin(turns)])
+        points = along(outline, pixel)[:, None] + pixel * np.vstack([around, 0.4 * around])
+        grows = unstable(values, points)
+        assert (grows.any(axis=1) & ~grows.all(axis=1)).mean() > 0.95
 
 
 def test_the_wheel_scrolls_a_page_that_is_longer_than_the_window(page):
