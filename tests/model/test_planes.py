@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import rotorstab as rs
+from rotorstab.model.damping import with_damping_ratios
 from tests.testing.amounts import examples
 from tests.testing.example_rotors import one_dof, reference_growth
 
@@ -236,6 +237,24 @@ def test_a_pulsation_can_hold_up_what_falls():
     """Kapitza's pendulum: q̈ + (−0.1 + 12 cos 5t) q = 0 is stable, as Mathieu's chart says."""
     system = one_dof(elastic=-0.1)
     assert rs.growth_rate(system, 0.0, 3.0, 5.0) < 1e-8 < rs.growth_rate(system, 0.0, 0.5, 5.0)
+
+
+@pytest.mark.parametrize(("external", "internal"), [(0.1, 0.0), (0.0, 0.05), (0.02, 0.03)])
+def test_damping_ratios_are_the_same_in_two_planes_and_seen_from_the_shaft(external, internal):
+    rotor = rs.lumped(rs.ShaftDisk(), 0.7)
+    damped = with_damping_ratios(rotor, external, internal)
+    whirl = rs.whirl_frequencies(damped, 0.8)
+    for other, shift in ((in_planes(rotor), 0.0), (in_rotating_coordinates(rotor), 0.7)):
+        seen = whirl - shift
+        expected = np.concatenate([seen, -seen.conj()])
+        found = rs.whirl_frequencies(with_damping_ratios(other, external, internal), 0.8)
+        assert np.abs(expected[:, None] - found).min(axis=1).max() < 1e-6
+
+
+def test_rotating_damping_as_such_is_refused_in_two_planes():
+    planes = in_planes(rs.lumped(rs.ShaftDisk(), 0.7))
+    with pytest.raises(ValueError, match="`internal_damping` must be zero with two planes"):
+        replace(planes, internal_damping=planes.elastic)
 
 
 def in_rotating_coordinates(system, soft=0.0, stiff=0.0, damping=0.0):

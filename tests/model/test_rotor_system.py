@@ -18,6 +18,7 @@ from rotorstab import (
     ShaftSection,
     Sleeve,
     finite_element,
+    flutter_load,
     fundamental_frequency,
     growth_rate,
     resonances,
@@ -210,6 +211,18 @@ def test_growth_with_unequal_bearings_is_that_of_real_matrices(unequal_case):
     end = solve_ivp(rate, (0, period), np.eye(4 * n).ravel(), "DOP853", rtol=1e-10, atol=1e-10)
     multipliers = np.linalg.eigvals(end.y[:, -1].reshape(4 * n, 4 * n))
     assert ours == pytest.approx(np.log(np.abs(multipliers).max()) / period, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("tangency", "exact"),
+    [(0.5, 16.0525), (1.0, 20.0510)],  # Beck 1952; the partly tangential column: exact determinant
+)
+def test_a_follower_load_flutters_where_theory_says(tangency, exact):
+    thin = ShaftSection(1.0, 0.002, STEEL, shear_coefficient=math.inf)
+    rotor = Rotor((thin,), clamps=(0.0,), load=AxialLoad(tangency=tangency))
+    bending = thin.properties.bending
+    load = flutter_load(rotor.system(0.0, elements=10), 25 * bending)
+    assert load / bending == pytest.approx(exact, rel=1e-4)
 
 
 def test_a_hollow_section_and_a_sleeve_are_one_tube():

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from .._arguments import LARGEST, number
 from .system import System, fundamental_frequency
 
@@ -26,6 +28,8 @@ def with_damping_ratios(system: System, external_damping: float, internal_dampin
     Returns
     -------
     System
+        With two planes, damping that turns against the coordinates is a part of the
+        `external_damping` and of the `spin_stiffness`.
 
     Raises
     ------
@@ -37,8 +41,15 @@ def with_damping_ratios(system: System, external_damping: float, internal_dampin
     if external == 0 and internal == 0:
         return system
     frequency = fundamental_frequency(system)
+    outside = 2 * external * frequency * system.mass
+    inside = 2 * internal / frequency * system.elastic
+    if not system.planes:
+        return replace(system, external_damping=outside, internal_damping=inside)
+    # what turns against the coordinates: the inside, or in rotating coordinates the outside
+    turning = inside if system.spin_softening is None else -outside
+    across = np.roll(turning, system.size // 2, axis=1)
     return replace(
         system,
-        external_damping=2 * external * frequency * system.mass,
-        internal_damping=2 * internal / frequency * system.elastic,
+        external_damping=outside + inside,
+        spin_stiffness=across if across.any() else None,
     )

@@ -48,7 +48,8 @@ class System:
     gyroscopic : (n, n) float
         H, the gyroscopic matrix per unit of spin speed.
     external_damping, internal_damping : (n, n) float
-        C_e and C_i. The internal damping rotates with the shaft: it acts on q̇ − jΩ̄q.
+        C_e and C_i. The internal damping rotates with the shaft: it acts on q̇ − jΩ̄q. With two
+        planes it is a part of C_e, and of K_s with the same blocks across: `with_damping_ratios`.
     elastic, geometric : (n, n) float
         Ka and Kb.
     spin_speed : (...) float
@@ -62,7 +63,8 @@ class System:
         they are k_xy and c_xy of a bearing with k_yx = −k_xy and c_yx = −c_xy, with two planes
         [[0, k_xy], [−k_yx, 0]] and [[0, c_xy], [−c_yx, 0]].
     spin_stiffness, spin_softening : (n, n) float or None
-        K_s and N of coordinates that rotate with the shaft, else None.
+        K_s, of damping that turns against the coordinates, and N of coordinates that rotate with
+        the shaft; None where there is none.
     planes : bool
         Whether the coordinates are those of two planes.
     pulsation : PeriodicLoad
@@ -71,7 +73,7 @@ class System:
     Raises
     ------
     ValueError
-        If another stiffness law meets another load than a cosine.
+        If another stiffness law meets another load than a cosine, or `internal_damping` two planes.
 
     References
     ----------
@@ -109,6 +111,11 @@ class System:
                 array = np.array(array, dtype=np.float64)
                 array.flags.writeable = False
             object.__setattr__(self, name, array)
+        if self.planes and self.internal_damping.any():
+            raise ValueError(
+                "`internal_damping` must be zero with two planes: "
+                "there it is a part of `external_damping` and of `spin_stiffness`"
+            )
 
     @property
     def size(self) -> int:
