@@ -16,7 +16,12 @@ if TYPE_CHECKING:
 
 FOLDER = Path(app.__file__).parent
 served = False
-"""Whether this process serves the dashboard."""
+"""Whether this process serves the dashboard. `worker` sets it before the patches are installed.
+
+It is a variable of the module, since Panel runs `deploy/setup.py` and the requests of `/metrics`
+and `/health` without a place to hand anything over. A process serves one app from its start to its
+end.
+"""
 
 
 def is_dashboard(path: str) -> bool:

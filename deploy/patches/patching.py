@@ -7,7 +7,11 @@ from typing import Any
 
 PATCHED = ("panel", "bokeh", "tornado")
 hardened = False
-"""Whether `deploy/setup.py` has installed every patch in this process."""
+"""Whether `deploy/setup.py` has installed every patch in this process; it sets this itself.
+
+It is a variable of the module: `app/main.py` asks for it through `plain_serving`, and Panel starts
+both files by itself, without a place to hand anything over.
+"""
 
 
 class Moved(AttributeError):
