@@ -115,6 +115,9 @@ def test_coefficients_at_a_speed(tmp_path, key, write):
     with pytest.warns(NotCarriedOver, match="those at 150 rad/s: BearingElement_Bearing 0"):
         rotor = read(tmp_path, tables, write, spin_speed=150.0)
     assert rotor.bearings[0].kyy == pytest.approx(1.5e6)
+    tables["parameters"] = {"min_w": 0.0, "rated_w": 200.0}
+    with pytest.warns(NotCarriedOver, match="those at 200 rad/s, the rated speed: BearingElement"):
+        assert read(tmp_path, tables, write).bearings[0].kxx == 2e6
     with pytest.warns(NotCarriedOver, match="those at 900 rad/s, outside their table"):
         assert read(tmp_path, tables, spin_speed=900.0).bearings[0].kxx == 3e6
 
@@ -342,6 +345,13 @@ def test_a_file_that_is_too_large_is_refused(tmp_path):
     path.write_text("#" * 5_000_000, encoding="utf-8")
     with pytest.raises(RotorFileError, match="larger than 4 MB"):
         Rotor.from_ross(path)
+
+
+def test_a_speed_that_is_no_number_is_refused(tmp_path):
+    for bad in (math.nan, "400 rad/s"):
+        with pytest.raises(ValueError, match="`spin_speed` must be"):
+            read(tmp_path, ross(), spin_speed=bad)
+    assert read(tmp_path, ross(parameters={"rated_w": math.nan}), as_json) == read(tmp_path, ross())
 
 
 def test_speed_tables_are_finite_numbers(tmp_path):

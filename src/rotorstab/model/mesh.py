@@ -136,7 +136,7 @@ def _too_many(elements: int, count: int) -> str:
     )
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=4)  # up to 20 MB each
 def plane_matrices(rotor: Rotor, elements: int) -> PlaneMatrices:
     """Return the matrices of the rotor without its bearings in one plane.
 

@@ -78,7 +78,9 @@ def rotor_system(
     if modes is not None:
         modes = whole_number("modes", modes, 1, len(rotor_mesh(rotor, elements).free))
     try:
-        return _resting_system(rotor, elements, modes).at_speed(spin_speed)
+        if modes is None:
+            return _resting_system(rotor, elements).at_speed(spin_speed)
+        return _reduced_system(rotor, elements, modes).at_speed(spin_speed)
     except np.linalg.LinAlgError:
         raise ValueError(
             "`rotor` must have lengths, diameters, masses and stiffnesses of a like size: "
@@ -105,12 +107,15 @@ def supports(rotor: Rotor, elements: int, name: str) -> Array:
     return matrices
 
 
-@lru_cache(maxsize=32)
-def _resting_system(rotor: Rotor, elements: int, modes: int | None) -> System:
-    """Return the system of the rotor at rest."""
-    if modes is not None:
-        system = _resting_system(rotor, elements, None)
-        return system.projected(whirl_basis(system, modes))
+@lru_cache(maxsize=64)
+def _reduced_system(rotor: Rotor, elements: int, modes: int) -> System:
+    """Return the system of the rotor at rest in a few coordinates; the full one is not kept."""
+    system = _resting_system(rotor, elements)
+    return system.projected(whirl_basis(system, modes))
+
+
+def _resting_system(rotor: Rotor, elements: int) -> System:
+    """Return the system of the rotor at rest in all its coordinates."""
     plane = plane_matrices(rotor, elements)
     np.linalg.cholesky(plane.mass)  # raises LinAlgError
     stiffness, damping = (supports(rotor, elements, name) for name in ("stiffness", "damping"))

@@ -19,6 +19,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from .._arguments import LARGEST, number
 from .parts import Disk
 from .places import RotorFileError, lines_of_json, lines_of_toml
 from .ross_bearings import bearings_and_masses
@@ -68,6 +69,8 @@ def rotor_from_ross_text(text: str, spin_speed: float | None = None) -> Rotor:
     """
     if len(text) > LARGEST_FILE:
         raise RotorFileError(f"the file is larger than {LARGEST_FILE // 1_000_000} MB")
+    if spin_speed is not None:
+        spin_speed = number("spin_speed", spin_speed, -LARGEST, LARGEST)
     ross = RossTables(*_parsed(text))
     rotor = _rotor(ross, spin_speed)
     for reason, names in ross.left_out.items():

@@ -25,8 +25,8 @@ def bearings_and_masses(
     nodes : list of float
         Positions [m].
     spin_speed : float or None
-        Where coefficients that depend on the speed are taken [rad/s]; None for the middle of the
-        speeds that all their tables have.
+        Where coefficients that depend on the speed are taken [rad/s]; None for the rated speed of
+        the file, or else the middle of the speeds that all their tables have.
 
     Returns
     -------
@@ -51,14 +51,15 @@ def _speed(ross: RossTables, names: list[str], spin_speed: float | None) -> floa
     tables = {name: table for name, table in tables.items() if len(table) > 1}
     if not tables:
         return 0.0
-    speed = spin_speed
-    if speed is None:
-        low = max(table[0] for table in tables.values())
-        high = min(table[-1] for table in tables.values())
-        speed = float((low + high) / 2)
-    words = f"coefficients that depend on the speed are those at {speed:.4g} rad/s"
-    if spin_speed is None:
-        words += ", the middle of their table"
+    low = max(table[0] for table in tables.values())
+    high = min(table[-1] for table in tables.values())
+    choices = {
+        "": spin_speed,
+        ", the rated speed": ross.rated_speed,
+        ", the middle of their table": float((low + high) / 2),
+    }
+    origin, speed = next((origin, at) for origin, at in choices.items() if at is not None)
+    words = f"coefficients that depend on the speed are those at {speed:.4g} rad/s{origin}"
     for name, table in tables.items():
         inside = table[0] <= speed <= table[-1]
         ross.note(words if inside else f"{words}, outside their table: its end is taken", name)

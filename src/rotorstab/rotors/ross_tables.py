@@ -29,12 +29,18 @@ class RossTables:
     ----------
     elements : dict of str to dict
         The table of each element by its name, such as "DiskElement_Disk 0".
+    rated_speed : float or None
+        [rad/s], where the file has one.
     left_out : dict of str to list of str
         What the rotor does not have, and the names of the elements that have it.
     """
 
     def __init__(self, tables: Mapping[str, Any], lines: Mapping[str, int]) -> None:
         self.lines = lines
+        parameters = tables.get("parameters")
+        rated = parameters.get("rated_w") if isinstance(parameters, dict) else None
+        speed = plain_number(rated)
+        self.rated_speed = speed if speed is not None and math.isfinite(speed) else None
         self.left_out: dict[str, list[str]] = {}
         self.elements = {
             name: table

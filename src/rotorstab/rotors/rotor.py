@@ -240,7 +240,7 @@ class Rotor:
             A rotor that ROSS has saved as TOML or JSON, of its versions 2 or 3.
         spin_speed : float, optional
             Speed [rad/s] at which bearing coefficients that depend on the speed are taken. By
-            default it is the middle of their table.
+            default it is the rated speed of the file, or else the middle of their table.
 
         Returns
         -------
