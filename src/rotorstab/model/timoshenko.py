@@ -1,7 +1,8 @@
 """Timoshenko elements, and the matrices of a clamped shaft of them, with and without its disk.
 
 Two-node elements with interdependent interpolation: cubic deflection v, quadratic section
-rotation γ, shear strain −Φγ″, so nothing locks and Φ = 0 is the Euler–Bernoulli element.
+rotation γ, shear strain −Φγ″, so there is no shear locking, and Φ = 0 is the Euler–Bernoulli
+element.
 """
 
 from __future__ import annotations
