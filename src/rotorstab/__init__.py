@@ -17,6 +17,7 @@ from .maps.stability_map import StabilityChart, stability_chart, stability_map
 from .model.finite_element import finite_element
 from .model.lumped import lumped
 from .model.periodic_load import FittedLoad, PeriodicLoad
+from .model.rotor_system import RotorShapes
 from .model.shaft_shape import ShaftShape, shaft_shape
 from .model.stiffness import PastPole, exact_stiffness, largest_exact_load, linear_stiffness
 from .model.stiffness_law import STIFFNESS_LAWS, StiffnessLaw
@@ -58,6 +59,7 @@ __all__ = [
     "Resonance",
     "ResonanceTable",
     "Rotor",
+    "RotorShapes",
     "Scales",
     "ShaftDisk",
     "ShaftSection",

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
-from rotorstab import AxialLoad, growth_rate, resonances, whirl_frequencies
+from rotorstab import PRESETS, AxialLoad, growth_rate, resonances, whirl_frequencies
 from tests.testing.rotors import FRISWELL_597, FRISWELL_599, FRISWELL_681, OIL_FILM, UNEQUAL, rpm
 
 # as stated in the docstring of `rotor_system`
@@ -60,6 +61,27 @@ def test_growth_in_a_tongue_of_the_reduced_rotor():
         assert tongue.centre / math.tau == pytest.approx(24.3519, abs=2e-4)
         growths.append(growth_rate(system, 0.3 * buckling, 0.1 * buckling, tongue.centre))
     assert growths[1] == pytest.approx(growths[0], rel=1e-4)
+
+
+@pytest.mark.parametrize("rotor", [FRISWELL_597, UNEQUAL, PRESETS["cantilever"]])
+def test_shapes_of_reduced_coordinates_are_those_of_the_rotor(rotor):
+    """The first mode at rest, drawn from the full and from the reduced system."""
+    drawn = []
+    for modes in (None, 8):
+        system, shapes = rotor.system(0.0, modes=modes), rotor.shapes(modes=modes)
+        assert shapes.deflection.shape == (len(shapes.positions), system.size)
+        half = system.size // (2 if system.planes else 1)
+        part = slice(system.size - half, system.size)  # the softer plane, W
+        mode = eigh(system.elastic[part, part], system.mass[part, part])[1][:, 0]
+        deflection, slope = (one[:, part] @ mode for one in (shapes.deflection, shapes.slope))
+        largest = deflection[np.abs(deflection).argmax()]
+        drawn.append((deflection / largest, slope / largest))
+        assert np.all(shapes.deflection[shapes.positions == 0.0] == 0) == bool(rotor.clamps)
+    for full, reduced in zip(*drawn, strict=True):
+        assert reduced == pytest.approx(full, abs=2e-3 * np.abs(full).max())
+    # the slope of the drawing is that of the section, but for a little shear
+    change = np.gradient(drawn[0][0], shapes.positions)[1:-1]
+    assert change == pytest.approx(drawn[0][1][1:-1], abs=0.1 * np.abs(change).max())
 
 
 def test_every_speed_and_load_has_the_same_basis():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -14,7 +15,60 @@ from .mesh import plane_matrices, rotor_mesh
 from .rotor_reduction import whirl_basis
 from .system import System
 
-__all__ = ["rotor_system", "supports"]
+__all__ = ["RotorShapes", "rotor_shapes", "rotor_system", "supports"]
+
+
+@dataclass(frozen=True, eq=False)
+class RotorShapes:
+    """How the shaft is bent by each coordinate of a rotor's system, read-only.
+
+    Parameters
+    ----------
+    positions : (m,) float
+        Of the stations of the mesh [m], rising.
+    deflection, slope : (m, n) float
+        Of the shaft at each station, per unit of each coordinate. With complex coordinates q the
+        deflection is U = V + jW = `deflection` @ q. With two planes the first half of the columns
+        gives V and the second jW, each from its half of q.
+    """
+
+    positions: Array
+    deflection: Array
+    slope: Array
+
+
+def rotor_shapes(rotor: Rotor, elements: int = 6, modes: int | None = None) -> RotorShapes:
+    """Return how each coordinate of `rotor_system` with the same arguments bends the shaft.
+
+    Parameters
+    ----------
+    rotor : Rotor
+    elements : int
+    modes : int, optional
+
+    Returns
+    -------
+    RotorShapes
+
+    Raises
+    ------
+    ValueError
+        As `rotor_system`.
+    """
+    size = rotor_system(rotor, 0.0, elements, modes).size
+    mesh = rotor_mesh(rotor, elements)
+    plane = np.zeros((2 * len(mesh.nodes), len(mesh.free)))
+    plane[mesh.free, np.arange(len(mesh.free))] = 1.0
+    shapes = plane if rotor.is_isotropic else np.hstack([plane, plane])
+    if modes is not None:
+        basis = _reduced_system(rotor, elements, modes)[1]
+        half = len(mesh.free)
+        parts = [basis] if rotor.is_isotropic else [basis[:half], basis[half:]]
+        shapes = sum((plane @ part for part in parts), np.zeros((len(plane), size)))
+    arrays = mesh.nodes.copy(), shapes[0::2].copy(), shapes[1::2].copy()
+    for array in arrays:
+        array.flags.writeable = False
+    return RotorShapes(*arrays)
 
 
 def rotor_system(
@@ -80,7 +134,7 @@ def rotor_system(
     try:
         if modes is None:
             return _resting_system(rotor, elements).at_speed(spin_speed)
-        return _reduced_system(rotor, elements, modes).at_speed(spin_speed)
+        return _reduced_system(rotor, elements, modes)[0].at_speed(spin_speed)
     except np.linalg.LinAlgError:
         raise ValueError(
             "`rotor` must have lengths, diameters, masses and stiffnesses of a like size: "
@@ -108,10 +162,14 @@ def supports(rotor: Rotor, elements: int, name: str) -> Array:
 
 
 @lru_cache(maxsize=64)
-def _reduced_system(rotor: Rotor, elements: int, modes: int) -> System:
-    """Return the system of the rotor at rest in a few coordinates; the full one is not kept."""
+def _reduced_system(rotor: Rotor, elements: int, modes: int) -> tuple[System, Array]:
+    """Return the system of the rotor at rest in a few coordinates, and their basis.
+
+    The full system is not kept.
+    """
     system = _resting_system(rotor, elements)
-    return system.projected(whirl_basis(system, modes))
+    basis = whirl_basis(system, modes)
+    return system.projected(basis), basis
 
 
 def _resting_system(rotor: Rotor, elements: int) -> System:

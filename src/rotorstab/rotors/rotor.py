@@ -15,6 +15,7 @@ from .sections import ShaftSection
 
 if TYPE_CHECKING:
     from .._types import ArrayLike
+    from ..model.rotor_system import RotorShapes
     from ..model.system import System
 
 __all__ = ["Rotor"]
@@ -161,6 +162,29 @@ class Rotor:
         from ..model.rotor_system import rotor_system
 
         return rotor_system(self, spin_speed, elements, modes)
+
+    def shapes(self, elements: int = 6, modes: int | None = None) -> RotorShapes:
+        """Return how each coordinate of the rotor's system bends the shaft.
+
+        Parameters
+        ----------
+        elements : int
+        modes : int, optional
+            As for `system`.
+
+        Returns
+        -------
+        RotorShapes
+            Deflection and slope at every station, to draw a motion of the system's coordinates.
+
+        Raises
+        ------
+        ValueError
+            As `system`.
+        """
+        from ..model.rotor_system import rotor_shapes
+
+        return rotor_shapes(self, elements, modes)
 
     def critical_load(self, elements: int = 6) -> float:
         """Return the smallest compression that buckles the resting rotor.
