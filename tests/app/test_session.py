@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from bokeh.models import HoverTool
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rotorstab as rs
@@ -24,7 +24,6 @@ from app.session import Session
 from app.state import PRESETS, State
 from app.words.si import displayed
 from rotorstab.drawing import screen
-from tests.testing.amounts import examples
 
 # a value of every input of the sidebar away from its default, and the charts that it moves
 MOVES = {
@@ -216,7 +215,7 @@ def test_each_input_moves_its_charts_to_what_the_solver_returns(session, name):
     assert {key for key in CHARTS if before[key] != after[key]} == moved
 
 
-@examples(20)
+@settings(max_examples=8)
 @given(st.data())
 def test_any_sequence_of_changes_ends_in_the_picture_of_its_last_state(shared, data):
     shared.respond({"type": "reset"})
@@ -362,7 +361,7 @@ messages = st.fixed_dictionaries(
 )
 
 
-@examples(40)
+@settings(max_examples=16)
 @given(messages)
 def test_no_message_of_any_form_raises(shared, message):
     answer = shared.respond(message)

@@ -8,7 +8,7 @@ from pathlib import Path
 import holoviews as hv
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.live.chart import LiveChart
@@ -22,7 +22,6 @@ from rotorstab.charts.quantities import Quantity
 from rotorstab.charts.structure import Chart, Layer
 from rotorstab.charts.tongues import tongue_labels
 from rotorstab.drawing import screen
-from tests.testing.amounts import examples
 
 ASSETS = Path(__file__).parents[2] / "app" / "assets"
 KINDS = {"blanks", "regions", "outlines", "lines", "points", "labels", "map", "bands", "edges"}
@@ -94,7 +93,7 @@ def test_the_charts_of_every_preset_are_sound(preset, detail):
     assert all(sound(chart) for chart in found.values())
 
 
-@examples(15)
+@settings(max_examples=6)
 @given(
     st.fixed_dictionaries(
         {

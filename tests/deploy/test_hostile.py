@@ -22,7 +22,6 @@ from app.state.rotor_file import read_rotor_file, write_rotor_file
 from app.words.verdict import verdict
 from rotorstab import BASE_CASE, lumped, stability_chart, whirl_frequencies
 from tests.testing import hostile, spy
-from tests.testing.amounts import part_of
 from tests.testing.wire import encoded
 
 SEED = 20260601
@@ -99,9 +98,13 @@ def test_the_spy_keeps_its_own_account():
     assert len(found) == 1
 
 
-def test_hostile_values_never_reach_the_solver(session):
+LONG = pytest.mark.long  # more of the same stream
+
+
+@pytest.mark.parametrize("count", [16, pytest.param(40, marks=LONG)])
+def test_hostile_values_never_reach_the_solver(session, count):
     rng = random.Random(SEED)
-    for number in range(part_of(40)):  # messages of 30 values each
+    for number in range(count):  # messages of 30 values each
         answer = session.respond({"type": "change", "values": hostile.values(rng, 30)})
         in_bounds(session.state)
         json.dumps(answer, allow_nan=False)
@@ -110,9 +113,10 @@ def test_hostile_values_never_reach_the_solver(session):
             session.respond({"type": "reset"})
 
 
-def test_hostile_messages_never_reach_the_solver(session):
+@pytest.mark.parametrize("count", [40, pytest.param(100, marks=LONG)])
+def test_hostile_messages_never_reach_the_solver(session, count):
     rng = random.Random(SEED + 1)
-    for _ in range(part_of(100)):
+    for _ in range(count):
         message = hostile.message(rng)
         before = session.state.inputs()
         answer = session.respond(message)

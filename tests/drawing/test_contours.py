@@ -1,5 +1,7 @@
 """Outlines and areas of what is unstable, as they are drawn, against Floquet's single points."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -54,9 +56,21 @@ def unstable(state, view, points):
     return solution.growth_rate > 1e-7
 
 
-@pytest.mark.parametrize("name", STATES)
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("detail", [Detail.COARSE, Detail.FULL])
+# those of damped finite elements take seconds each: the slow loads are the hardest of them
+OUTLINES = [
+    pytest.param(
+        name,
+        view,
+        detail,
+        marks=pytest.mark.long
+        if name == "damped finite elements" and (view, detail) != ("slow loads", Detail.FULL)
+        else (),
+    )
+    for name, view, detail in product(STATES, VIEWS, (Detail.COARSE, Detail.FULL))
+]
+
+
+@pytest.mark.parametrize(("name", "view", "detail"), OUTLINES)
 def test_an_outline_lies_within_a_pixel_of_the_edge(name, view, detail):
     state, _, points = drawn(STATES[name], detail, VIEWS[view])
     seen = VIEWS[view] or home_view(state.inputs())

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.special import mathieu_a, mathieu_b
 
@@ -12,7 +12,6 @@ from rotorstab.floquet.tongues.edges import tongue_edges
 from rotorstab.floquet.tongues.outlines import unstable_outlines
 from rotorstab.model.modal import state_matrix
 from rotorstab.model.stiffness import largest_exact_load
-from tests.testing.amounts import examples
 from tests.testing.example_rotors import P, W, lumped_systems, one_dof, reference_growth
 
 LOADS = st.floats(0, 0.8)
@@ -25,7 +24,7 @@ SYSTEMS = {
 }
 
 
-@examples(30)
+@settings(max_examples=12)
 @given(lumped_systems(), LOADS, st.floats(0, 1.0), st.floats(0.4, 8))
 def test_against_dop853(system, static, pulsating, theta):
     solution = floquet_solution(system, static * P, pulsating * P, theta * W)
@@ -67,7 +66,7 @@ def test_no_pulsation_no_growth(name):
     np.testing.assert_allclose(np.abs(mu), 1, atol=1e-9)
 
 
-@examples(15)
+@settings(max_examples=6)
 @given(lumped_systems(), LOADS, st.floats(0.4, 8))
 def test_spin_reversal_conjugates(system, pulsating, theta):
     forward = growth_rate(system, 0.3 * P, pulsating * P, theta * W)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
@@ -21,7 +21,6 @@ from rotorstab import (
 )
 from rotorstab.floquet.point import floquet_solution
 from rotorstab.floquet.schemes import divisible
-from tests.testing.amounts import examples
 
 ROTOR = ShaftDisk()
 CRITICAL = float(critical_load(ROTOR.shear))
@@ -52,7 +51,7 @@ rotors = st.builds(
 )
 
 
-@examples(15)
+@settings(max_examples=6)
 @given(
     rotor=rotors,
     spin=st.floats(0, 4),

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from benchmarks.bench_margin import judged, random_case
@@ -18,7 +18,6 @@ from rotorstab import (
     resonances,
     stability_margin,
 )
-from tests.testing.amounts import examples
 from tests.testing.example_rotors import P, W, reference_growth
 
 
@@ -196,7 +195,7 @@ def test_a_pair_that_meets_between_two_loads_and_parts_faster_is_found(offset):
     assert below < 1e-8 < above
 
 
-@examples(8)
+@settings(max_examples=3)
 @given(
     st.integers(0, 10**6),
     st.lists(st.floats(0.5, 9.0), min_size=2, max_size=4),

@@ -5,13 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 import rotorstab as rs
 from rotorstab.model.damping import with_damping_ratios
-from tests.testing.amounts import examples
 from tests.testing.example_rotors import one_dof, reference_growth
 
 DISK = np.diag([1.0, 0.0])  # acts on the disk's displacement
@@ -92,7 +91,7 @@ bearings = st.fixed_dictionaries(
 )
 
 
-@examples(40)
+@settings(max_examples=16)
 @given(bearings, st.floats(0, 3), st.floats(0, 1.5))
 def test_frequencies_of_two_planes_are_those_of_the_real_equations(bearing, speed, load):
     system = rs.lumped(rs.ShaftDisk(), speed)
@@ -105,7 +104,7 @@ def test_frequencies_of_two_planes_are_those_of_the_real_equations(bearing, spee
     assert np.abs(np.sort(mirrored.imag) - np.sort(found.imag)).max() < 1e-6
 
 
-@examples(10)
+@settings(max_examples=4)
 @given(bearings, st.floats(0, 2), st.floats(0.4, 4))
 def test_growth_of_two_planes_is_that_of_the_real_equations(bearing, speed, theta):
     system = rs.lumped(rs.ShaftDisk(), speed)

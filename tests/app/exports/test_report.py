@@ -52,6 +52,7 @@ def full():
     """In SI, with two kinds of damping, a marker and every pin: the longest there is."""
     values = {"units": "SI", "spin_speed": 1.0, "external_damping": 0.02, "internal_damping": 0.01}
     values |= {"marker": True, "marker_frequency": 2.0, "marker_factor": 0.3}
+    values |= {"lowest_frequency": 1.0}  # maps of slow loads take seconds with damping
     pins = []
     for number in range(3):
         # without damping, where a map takes a tenth of the time

@@ -49,11 +49,17 @@ STATES = {
 
 # HoloViews takes five seconds to write a page. The first of these has every layer of every chart
 # (`test_every_layer_is_drawn_into_a_file`), and the other one is in SI.
-WRITTEN = ("default", "SI, marked, noise")
+WRITTEN = ("default", "SI")
+# SI in a picture of its own file, and with a model that another state has
+LONG = ("SI", "SI, finite elements")
 FILE = "rotorstab-view.html"
 
 
-@pytest.fixture(scope="module", params=STATES, ids=list(STATES))
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(name, marks=pytest.mark.long if name in LONG else ()) for name in STATES],
+    ids=list(STATES),
+)
 def ran(request, tmp_path_factory):
     """A state, what its program defines, its text, and what it prints."""
     state = State()
