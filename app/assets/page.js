@@ -98,7 +98,7 @@
     for (const range of [figure.x_range, figure.y_range]) range.change.connect(moved);
     if (figure.name !== ZOOMED[0]) return;
     let resized = 0;
-    page.places.watch(figure.name, () => {
+    addEventListener("resize", () => {
       clearTimeout(resized);
       resized = setTimeout(() => { if (![told, "{}"].includes(JSON.stringify(pixels()))) page.send(page.restMessage()); }, 2 * WAIT);
     });

@@ -2,9 +2,14 @@
 window.rotorstab.places = (() => {
   const known = new Map();
 
+  // a view that Bokeh is still building cannot list its parts
+  function parts(view) {
+    try { return [...view.children()].filter(Boolean); } catch { return []; }
+  }
+
   function search(key) {
-    const walk = (view) => (view.model.type === "Figure" && view.model.name === key ? view : [...view.children()].map(walk).find(Boolean));
-    return [...Bokeh.index].map(walk).find(Boolean);
+    const walk = (view) => (view.model.type === "Figure" && view.model.name === key ? view : parts(view).map(walk).find(Boolean));
+    return [...Bokeh.index].filter(Boolean).map(walk).find(Boolean);
   }
 
   // the view of a chart, or undefined while there is none that has been laid out

@@ -17,14 +17,14 @@ class Watch:
         self.complaints = []
         self.hosts = set()
         page.on("console", self._console)
-        page.on("pageerror", lambda error: self.complaints.append(f"page error: {error}"))
+        page.on("pageerror", lambda error: self.complaints.append(f"page error: {error.stack}"))
         page.on("requestfailed", self._failed)
         page.on("request", lambda request: self.hosts.add(urlsplit(request.url).netloc))
 
     def check(self, server):
         """Fail on any complaint since the last check, and on any request to another host."""
         complaints, self.complaints = self.complaints, []
-        assert complaints == []
+        assert complaints == [], complaints
         assert self.hosts - {""} == {urlsplit(server.origin).netloc}
 
     def _console(self, message):
