@@ -68,7 +68,9 @@ def wait_until_drawn(tabs: dict[str, Page], view: str) -> None:
         if lesson:
             tab.locator(".lesson").wait_for(state="visible")
         if view == "paper":
-            tab.wait_for_selector(".picture img", timeout=60_000)
+            tab.wait_for_function(
+                "!document.querySelector('.panel:not([hidden])[data-waits]')", timeout=60_000
+            )
     tab.wait_for_timeout(TOOLS)  # for every tab
 
 

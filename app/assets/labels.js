@@ -31,8 +31,12 @@ window.rotorstab.labels = (() => {
   const apart = (one, other) => one.left + one.width + GAP <= other.left || other.left + other.width + GAP <= one.left
     || one.top + one.height + GAP <= other.top || other.top + other.height + GAP <= one.top;
 
-  const within = (inner, outer) => inner.left >= outer.left - GAP && inner.left + inner.width <= outer.left + outer.width + GAP
-    && inner.top >= outer.top - GAP && inner.top + inner.height <= outer.top + outer.height + GAP;
+  // the part that two boxes have in common; its size is negative where they have none
+  function shared(one, other) {
+    const left = Math.max(one.left, other.left), top = Math.max(one.top, other.top);
+    const right = Math.min(one.left + one.width, other.left + other.width), bottom = Math.min(one.top + one.height, other.top + other.height);
+    return { left, top, width: right - left, height: bottom - top };
+  }
 
   // a box moved into a frame
   function moved(box, left, top, frame) {
@@ -76,8 +80,8 @@ window.rotorstab.labels = (() => {
     for (const at of indices) {
       const box = measured(view, at, shown);
       if (!Number.isFinite(box.left + box.top)) continue;
-      if (view.renderer.model.name === "reason" && !within(box, blank(view, at))) continue;
-      const found = placed(box, frame, [...boxes.values()].flat());
+      const room = view.renderer.model.name === "reason" ? shared(frame, blank(view, at)) : frame;
+      const found = placed(box, room, [...boxes.values()].flat());
       if (!found) continue;
       boxes.get(view).push(found);
       kept.push(at);

@@ -57,6 +57,7 @@
       aim = undefined;
     });
     row.addEventListener("scroll", mark);
+    new ResizeObserver(mark).observe(row); // a tablet that is turned has another layout
     mark();
   }, { once: true });
 })();

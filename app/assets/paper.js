@@ -45,6 +45,13 @@ window.rotorstab.paper = (() => {
     if (words) panel.dataset.waits = words; else delete panel.dataset.waits;
   }
 
+  // the words stay until Bokeh has laid out the chart
+  function waitForChart(panel, figure) {
+    if (shown !== figure) return;
+    if (page.places.view(panel.dataset.panel)) wait(panel, "");
+    else setTimeout(() => waitForChart(panel, figure), 50);
+  }
+
   function ask(number) {
     if (number !== current) hidden = new Set();
     current = number;
@@ -119,7 +126,8 @@ window.rotorstab.paper = (() => {
       method.textContent = names[1];
       panel.querySelector("[data-panel-title]").replaceChildren(...page.rich(names[0]), " ", method);
       panel.setAttribute("aria-label", names.filter(Boolean).join(", "));
-      wait(panel, figure.waits && panel.dataset.panel.endsWith("-floquet") ? "Computing with Floquet’s method …" : "");
+      if (figure.waits && panel.dataset.panel.endsWith("-floquet")) wait(panel, "Computing with Floquet’s method …");
+      else waitForChart(panel, figure);
     }
     const settings = Object.fromEntries(figure.settings.map((one) => [one.letter, one]));
     place("open").hidden = !("" in settings);

@@ -48,6 +48,8 @@ class FloquetAnswer:
         β_d above which the map is blank, since the stiffness law ends; inf where it does not.
     unknown_share : float
         Share of the other pixels that are blank: the growth within a period is too strong there.
+    of_all_whirls : bool
+        See `FloquetMap`.
     has_tongues : bool
         Whether the window holds a tongue, however thin.
     """
@@ -65,6 +67,7 @@ class FloquetAnswer:
     drawn_from: float = 0.0
     largest_computed_factor: float = math.inf
     unknown_share: float = 0.0
+    of_all_whirls: bool = False
     has_tongues: bool = False
 
 
@@ -115,6 +118,7 @@ def floquet_answer(
         drawn_from=made.drawn_from / fundamental,
         largest_computed_factor=end_of_law if end_of_law < largest_factor else math.inf,
         unknown_share=_unknown_share(growth),
+        of_all_whirls=made.of_all_whirls,
         has_tongues=has_thin or has_first_order,
     )
 

@@ -6,7 +6,7 @@ Arguments and results can be pickled, so that another process can make a map.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -83,6 +83,9 @@ class FloquetMap:
     drawn_from : float
         θ̄ below which no edges are found, although the map may have growth rates there: tongues are
         too near to each other, or nothing is computed. 0 where the whole window has edges.
+    of_all_whirls : bool
+        Whether all whirls of finite elements were kept, on a coarser grid, since the four slowest
+        ones do not stand for them.
     """
 
     growth: StabilityChart
@@ -90,6 +93,7 @@ class FloquetMap:
     edges: GridEdges | None = None
     rates: NDArray[np.float64] | None = None
     drawn_from: float = 0.0
+    of_all_whirls: bool = False
 
 
 def chart_options(model: Model, detail: Detail, matrices: bool = False) -> dict[str, Any]:
@@ -134,7 +138,7 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     try:
         return _map(window, detail, matrices=False)
     except InseparableWhirls:
-        return _map(window, detail, matrices=True)
+        return replace(_map(window, detail, matrices=True), of_all_whirls=True)
 
 
 def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:

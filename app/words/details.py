@@ -17,6 +17,10 @@ from .verdict import blank_parts, percent, smallest_load
 __all__ = ["details"]
 
 _NONE = "—"
+_OF_ALL_WHIRLS = (
+    " In this shaft slow and fast whirls become unstable together, so the map is made of all "
+    "whirls of the finite elements, on a coarser grid."
+)
 
 
 def details(answer: FloquetAnswer, scales: Scales | None = None) -> dict[str, Any]:
@@ -41,6 +45,8 @@ def details(answer: FloquetAnswer, scales: Scales | None = None) -> dict[str, An
     words = smallest_load(answer, units)
     if answer.detail is not Detail.COARSE:
         words += blank_parts(answer, units)
+    if answer.of_all_whirls:
+        words += _OF_ALL_WHIRLS
     return {
         "columns": columns,
         "rows": [] if answer.table.mean_is_unstable else _rows(answer, units, damped),

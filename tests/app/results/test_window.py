@@ -76,6 +76,7 @@ def test_finite_elements_whose_whirls_cannot_be_separated_are_drawn_with_all_of_
     made = floquet_map(part, Detail.COARSE)
     assert (made.edges.function > 0).any()
     assert made.growth.growth.shape == (16, 64)
+    assert made.of_all_whirls
 
 
 def test_the_chart_names_what_is_not_drawn():

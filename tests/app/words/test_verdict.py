@@ -185,6 +185,14 @@ def test_the_table_of_tongues_has_a_row_for_each_region_of_first_order():
         assert float(growth) == pytest.approx(table[name].growth, rel=1e-2)
 
 
+def test_the_details_say_where_all_whirls_of_finite_elements_are_kept():
+    stout = {"shear": 0.1, "disk_mass": 2.0, "polar_inertia": 1.0, "diametral_inertia": 0.5}
+    elements = {"model": "finite elements", "lowest_frequency": 2.0}
+    words = "all whirls of the finite elements"
+    assert words in texts({**stout, **elements}, Detail.COARSE)["words"]
+    assert words not in texts(elements, Detail.COARSE)["words"]
+
+
 def test_with_damping_the_table_says_where_each_tongue_begins():
     _, result = solved({"external_damping": 0.05})
     found = texts({"external_damping": 0.05})
