@@ -8,7 +8,8 @@ from .floquet.criterion import grows_or_decays, is_unstable, mean_is_unstable
 from .floquet.first_order import FirstOrderRegion, first_order_regions
 from .floquet.initial_conditions import initial_conditions
 from .floquet.point import FloquetSolution, floquet_multipliers, floquet_solution, growth_rate
-from .floquet.resonance import Resonance, ResonanceTable, resonances
+from .floquet.resonance import resonances
+from .floquet.resonance_table import Resonance, ResonanceTable
 from .floquet.response import TimeResponse, time_response
 from .floquet.tongues.edges import TongueEdges, tongue_edges
 from .floquet.tongues.outlines import Outline, unstable_outlines

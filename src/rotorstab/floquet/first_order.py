@@ -13,7 +13,7 @@ import numpy as np
 from .._arguments import number
 from .._tolerances import FIRST_ORDER_GROWTH
 from .._types import Array, Complex, Index, Mask
-from .resonance import Resonance, ResonanceTable
+from .resonance_table import Resonance, ResonanceTable
 
 __all__ = ["FirstOrderRegion", "first_order_regions"]
 

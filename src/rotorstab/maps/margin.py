@@ -8,7 +8,8 @@ import numpy as np
 
 from .._arguments import number, numbers
 from .._types import Array, ArrayLike, Index
-from ..floquet.resonance import ResonanceTable, resonances
+from ..floquet.resonance import resonances
+from ..floquet.resonance_table import ResonanceTable
 from ..floquet.tongues.band_threshold import lowest_threshold
 from ..floquet.tongues.crossings import first_crossings
 from ..floquet.tongues.plane import Plane

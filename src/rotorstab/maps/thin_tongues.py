@@ -10,7 +10,8 @@ import numpy as np
 from .._types import Array, Mask
 from ..floquet.criterion import is_unstable_on_chart
 from ..floquet.interpolant.chart_interpolant import ChartInterpolant
-from ..floquet.resonance import Resonance, resonances
+from ..floquet.resonance import resonances
+from ..floquet.resonance_table import Resonance
 from ..floquet.tongues.collision_measure import collision_measure
 from ..floquet.tongues.collisions import multiplier_collisions
 from ..floquet.tongues.intervals import Interval

@@ -12,7 +12,8 @@ from ..bolotin.boundaries import boundary_frequencies
 from ..charts.figure import Statement
 from ..charts.structure import Chart, Curve
 from ..floquet.point import growth_rate
-from ..floquet.resonance import Resonance, resonances
+from ..floquet.resonance import resonances
+from ..floquet.resonance_table import Resonance
 from ..model.system import fundamental_frequency
 from .region_figure import LOWEST, Variant
 from .verdicts import confirm, groups, percent

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from ..._arguments import number, numbers
 from ..._types import Array, ArrayLike
 from ...model.system import System
-from ..resonance import Resonance, resonances
+from ..resonance import resonances
+from ..resonance_table import Resonance
 from .collision_measure import collision_measure, edge_function
 from .pair_edges import tongue_edge
 from .tracking import follow, polish, tracking_loads

@@ -17,7 +17,8 @@ from ..._types import Array, Mask
 from ...model.system import System
 from ...whirl.frequencies import whirl_frequencies
 from ..criterion import mean_is_unstable
-from ..resonance import ResonanceTable, resonances
+from ..resonance import resonances
+from ..resonance_table import ResonanceTable
 from .intervals import Interval, unstable_intervals
 from .linking import Piece, linked_pieces
 

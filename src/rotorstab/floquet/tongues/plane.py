@@ -10,7 +10,7 @@ from ..._tolerances import VISIBLE_GROWTH
 from ..._types import Array
 from ...model.system import System
 from ..point import floquet_solution
-from ..resonance import ResonanceTable
+from ..resonance_table import ResonanceTable
 from .collision_measure import pair_closeness
 
 __all__ = ["Plane"]

@@ -8,7 +8,8 @@ from ..._tolerances import VISIBLE_GROWTH
 from ..._types import Array, Index
 from ..interpolant.chart_interpolant import ChartInterpolant
 from ..point import floquet_solution
-from ..resonance import Resonance, resonances
+from ..resonance import resonances
+from ..resonance_table import Resonance
 from .collision_measure import collision_measure
 from .collisions import multiplier_collisions, surely_unstable
 from .tracking import tongue_centres

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..._numerics.parabola import parabola_maximum
 from ..._types import Array, Mask
-from ..resonance import Resonance
+from ..resonance_table import Resonance
 
 __all__ = ["Measure", "follow", "polish", "tongue_centres", "tracking_loads"]
 
