@@ -1,9 +1,12 @@
 """Charts of the four slowest whirls of finite elements, against single points of all whirls."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from rotorstab import (
+    PeriodicLoad,
     ShaftDisk,
     critical_load,
     finite_element,
@@ -74,3 +77,31 @@ def test_a_system_of_two_coordinates_has_slow_whirls_only():
         find_narrow=False,
     )
     np.testing.assert_array_equal(chart.growth, whole.growth)
+
+
+UNEVEN = PeriodicLoad(cosine=[1.0, 0.2], sine=[0.0, 0.3])
+MANY_COORDINATES = {
+    "axial": finite_element(ROTOR, 2.0, 0.0, 8, 8),
+    "follower": finite_element(ROTOR, 2.0, 1.0, 8, 6),
+    "damped": finite_element(ROTOR, 2.0, 0.5, 8, 6, 0.01, 0.002),
+    "uneven load": replace(finite_element(ROTOR, 1.0, 0.0, 8, 6), pulsation=UNEVEN),
+}
+
+
+@pytest.mark.parametrize("name", MANY_COORDINATES)
+def test_growth_of_many_coordinates_is_within_its_error(name):
+    system = MANY_COORDINATES[name]
+    buckling = float(critical_load(ROTOR.shear))
+    fundamental = fundamental_frequency(lumped(ROTOR, 0.0))
+    rng = np.random.default_rng(5)
+    loads = np.sort(rng.uniform(0.5, 1.0, 4)) * buckling
+    theta = np.sort(rng.uniform(1.4, 4.6, 10)) * fundamental
+    static = 0.4 * buckling
+    chart = stability_chart(
+        system, static, loads, theta, refine=False, find_narrow=False, slow_whirls=True
+    )
+    exact = floquet_solution(system, static, loads[:, None], theta)
+    assert (exact.growth_rate > 1e-3).sum() > 2
+    error = np.abs(chart.growth - exact.growth_rate)
+    assert error.max() < 2e-5
+    assert (error <= chart.error + exact.error + 1e-9).all()

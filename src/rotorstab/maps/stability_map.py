@@ -120,8 +120,10 @@ def stability_chart(
         the columns themselves.
     slow_whirls : bool
         Whether a system of more than two coordinates is represented by its four slowest whirls,
-        which takes a tenth of the time and finds their tongues of any order. What faster whirls do
-        to them as their multipliers pass is left out.
+        which takes a tenth to a hundredth of the time and finds their tongues of any order. It is
+        first reduced to the shapes of these whirls under the loads of the chart, and the errors
+        hold an estimate of what that leaves out. What faster whirls do to them as their
+        multipliers pass is left out.
 
     Returns
     -------

@@ -86,7 +86,8 @@ def thin_tongues(
     some = np.flatnonzero(loads > 0)[::stride]
     pieces = linked_pieces(loads[some], _meetings(interpolant, loads[some]), float(loads[some[0]]))
     # tongues of whirls that the interpolant leaves out
-    kept = {table.modes[index] for index in interpolant.sampler.whirls}
+    slowest = np.argsort(np.abs(table.frequencies.real), kind="stable")
+    kept = {table.modes[index] for index in slowest[: len(interpolant.sampler.whirls)]}
     left_out = tuple(row for row in rows if not {row.first, row.second} <= kept)
     rows = tuple(row for row in rows if row not in left_out)
     found = list(_of_table(interpolant, left_out, loads, frequencies, follow))

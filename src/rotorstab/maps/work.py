@@ -7,9 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from ..floquet.interpolant.chart_panels import chart_panels
-from ..floquet.interpolant.sampling import NodeSampler
-from ..floquet.interpolant.slow_whirls import SlowSampler
+from ..floquet.interpolant.chart_panels import chart_panels, node_sampler
 from ..model.system import System
 
 __all__ = ["columns_within_work"]
@@ -51,8 +49,7 @@ def columns_within_work(
     """
     order = np.argsort(-excitation_frequencies, kind="stable")
     periods = 2 * np.pi / excitation_frequencies[order]
-    kind = SlowSampler if slow_whirls and system.size > 2 else NodeSampler
-    sampler = kind(system, static_load, largest_load)
+    sampler = node_sampler(system, static_load, largest_load, slow_whirls)
 
     def suffices(count: int) -> bool:
         panels = chart_panels(sampler, periods[:count], density, resolve=2 * np.pi / resolve)

@@ -2,5 +2,6 @@
 
 Read `panels` and `sampling`, which say where and how the monodromies are sampled, then
 `characteristic`, `growth` and `matrix_growth`, which find the multipliers, `edge_measure`,
-`slow_whirls` for more than two coordinates, then `chart_panels` and `chart_interpolant`.
+`slow_basis` and `slow_whirls` for more than two coordinates, then `chart_panels` and
+`chart_interpolant`.
 """

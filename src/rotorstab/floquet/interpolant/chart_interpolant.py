@@ -9,12 +9,11 @@ import numpy as np
 from ..._numerics.chebyshev import chebyshev_values
 from ..._types import AnyArray, Array, Mask
 from ...model.system import System
-from .chart_panels import chart_panels
+from .chart_panels import chart_panels, node_sampler
 from .edge_measure import edge_of_approach, edge_of_multipliers, with_verdict
 from .growth import Measure, collision_approach, largest_modulus, self_inversive_growth
 from .matrix_growth import matrix_growth, reversed_growth
-from .sampling import ERROR_POWER, NodeSampler, PanelSamples
-from .slow_whirls import SlowSampler
+from .sampling import ERROR_POWER, PanelSamples
 
 __all__ = ["ChartInterpolant"]
 
@@ -65,17 +64,12 @@ class ChartInterpolant:
         resolve: float = 0.0,
         slow: bool = False,
     ) -> None:
-        kind = SlowSampler if slow and system.size > 2 else NodeSampler
-        self.sampler = sampler = kind(system, static_load, largest_load)
+        self.system = system
+        self.sampler = sampler = node_sampler(system, static_load, largest_load, slow)
         self.panels = chart_panels(sampler, periods, density, between, resolve)
         self._samples: list[PanelSamples] = [
             sampler.sample(panel, periods) for panel in self.panels
         ]
-
-    @property
-    def system(self) -> System:
-        """The system."""
-        return self.sampler.system
 
     @property
     def static_load(self) -> float:

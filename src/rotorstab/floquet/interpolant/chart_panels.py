@@ -6,11 +6,12 @@ import numpy as np
 
 from ..._tolerances import NEGLIGIBLE
 from ..._types import AnyArray, Array
+from ...model.system import System
 from .panels import Panel, plan_panels
 from .sampling import MAP_LEVELS, NodeSampler
 from .slow_whirls import SlowSampler
 
-__all__ = ["chart_panels"]
+__all__ = ["chart_panels", "node_sampler"]
 
 # steps of the first level per radian of the fastest mode: with a closed form an error of 1e-7 or so
 # in the coefficients, with matrices of 1e-6 in the growth, with the slow whirls of larger systems,
@@ -20,6 +21,14 @@ _TOLERANCE = 1e-6  # of the interpolation, in a cautious rule: the error is 1e-9
 _BANDWIDTH_MARGIN = 1.03
 _SWING_MARGIN = {True: 1.15, False: 1.3}  # of a linear and of the exact stiffness
 _DRIFT_MARGIN = 0.75  # part of its centre to which a tongue of the table may drift with the load
+
+
+def node_sampler(
+    system: System, static_load: float, largest_load: float, slow: bool
+) -> NodeSampler:
+    """Return what samples a chart; `slow` keeps the four slowest whirls of a larger system."""
+    kind = SlowSampler.reduced if slow and system.size > 2 else NodeSampler
+    return kind(system, static_load, largest_load)
 
 
 def chart_panels(

@@ -14,6 +14,7 @@ from ..._types import AnyArray, Array, Complex
 from ...model.system import System
 from .panels import Panel
 from .sampling import ERROR_POWER, MAP_LEVELS, NodeSampler, PanelSamples, probes
+from .slow_basis import slow_systems
 
 __all__ = ["InseparableWhirls", "SlowSampler"]
 
@@ -23,7 +24,8 @@ _DECAY_RANGE = 0.5, 0.1  # the same with damping, a part of the decay and an amo
 _CHECKS_PER_NODE = 4  # periods at which the largest load is checked, for each node in T
 # The steps keep the structure of a motion, so nearly all of their error turns multipliers along the
 # unit circle, and this part or less changes the modulus, without damping and with it.
-_OFF_CIRCLE = {False: 0.02, True: 0.1}
+_OFF_CIRCLE = {False: 0.06, True: 0.1}
+_REDUCTION = 0.5  # factor on the estimated error of the reduction to slow whirls
 _LARGEST_ERROR = 2e-4  # of the interpolation: beyond it the functions are not smooth
 
 
@@ -61,6 +63,8 @@ class SlowSampler(NodeSampler):
 
     def __init__(self, system: System, static_load: float, largest_load: float) -> None:
         super().__init__(system, static_load, largest_load)
+        self._rougher: SlowSampler | None = None
+        self._gain = 0.0
         frequencies = self.basis.frequencies
         self.closed_form = True
         self.whirls = np.sort(np.argsort(np.abs(frequencies.real), kind="stable")[:_SLOW])
@@ -68,6 +72,16 @@ class SlowSampler(NodeSampler):
         self.drift = complex(slow.real.mean())
         self.excess = 0.0
         self._decay = float(slow.imag.sum())
+
+    @classmethod
+    def reduced(cls, system: System, static_load: float, largest_load: float) -> SlowSampler:
+        """Return the sampler of a system reduced to what its slow whirls need; see `slow_basis`."""
+        found = slow_systems(system, static_load, largest_load, _SLOW)
+        sampler = cls(found.reduced, static_load, largest_load)
+        if found.rougher is not None:
+            sampler._rougher = cls(found.rougher, static_load, largest_load)
+            sampler._gain = found.gain
+        return sampler
 
     def mean_growth(self, functions: AnyArray, periods: Array) -> Array | float:
         """Return ln|c₄|/4, which was divided out of the multipliers."""
@@ -95,7 +109,12 @@ class SlowSampler(NodeSampler):
         gap = np.abs(gap - values[:, at]) / ((fine / rough) ** 4 - 1)
         stretch = period.max() / period[at, None]
         error = (gap * stretch**ERROR_POWER).max(axis=1)
-        return values, _OFF_CIRCLE[not self.system.is_reversible] * error
+        error *= _OFF_CIRCLE[not self.system.is_reversible]
+        if self._rougher is not None:
+            y = self._rougher._processed(period[at], load, fine * steps)
+            gap = np.abs(self._rougher._functions(y, period[at]) - values[:, at])
+            error += _REDUCTION * self._gain * gap.max(axis=1)
+        return values, error
 
     def _functions(self, propagator: Complex, period: Array) -> AnyArray:
         """Return the functions of propagators (T nodes, load nodes, 2n, 2n)."""
