@@ -22,7 +22,7 @@ from .results.curves import curves_name
 from .session import Session
 
 ASSETS = Path(__file__).parent / "assets"
-STYLES = ("page.css", "inspector.css", "shaft.css", "lessons.css", "print.css")
+STYLES = ("page.css", "rotor.css", "inspector.css", "shaft.css", "lessons.css", "print.css")
 # connection.js stands before Bokeh's files; each script adds to what those before it made
 SCRIPTS = (
     "messages.js",
@@ -31,6 +31,7 @@ SCRIPTS = (
     "layout.js",
     "history.js",
     "units.js",
+    "rotor.js",
     "paper.js",
     "places.js",
     "marker.js",
@@ -50,6 +51,9 @@ LEGENDS = {
     "load_kinds": LOADS,
     "load_frequency": (*LOADS, "growing", "limit", "current"),
     "campbell": ("backward", "forward", "growing", "synchronous", "current"),
+    "own_stability": ("edge", "estimate"),
+    "own_whirl": ("backward", "forward", "straight", "growing", "synchronous", "current"),
+    "own_drawing": ("shaft", "disk", "bearing", "clamp", "load"),
     "coefficients": ("exact", "linear"),
     "errors": ("k11", "k22", "level"),
 }

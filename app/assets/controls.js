@@ -19,6 +19,7 @@ export function render({ model, el }) {
       form.dataset.page = data.page;
       for (const [row, name, value] of conditional) row.hidden = data.values[name] !== value;
     }
+    if (data.own) for (const [name, row] of Object.entries(rows)) if (name in data.own.inputs) row.units(data.own.inputs[name]);
     if (data.si !== undefined) for (const [name, row] of Object.entries(rows)) row.units?.(data.si?.inputs[name]);
   }
   model.on("msg:custom", (answer) => page.messages.take(answer.data ?? answer));
@@ -234,11 +235,13 @@ export function render({ model, el }) {
   const conditional = []; // rows that are shown only while another input has a value
   const main = new Map(); // rows of the group that is always in view
   for (const group of spec) {
-    const set = group.title
+    const set = group.page
+      ? node("div", { class: "of-page", "data-of": group.page })
+      : group.title
       ? node("details", { class: "group", ...(group.open ? { open: "" } : {}) }, node("summary", {}, group.title))
       : node("div", { class: "main" });
     for (const field of group.fields) {
-      const row = field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field);
+      const row = field.name === "own_rotor" ? page.rotor.panel(node, field, rows) : field.switch ? toggle(field) : field.options ? choice(field) : field.unit !== undefined ? quantity(field) : number(field);
       row.dataset.input = field.name;
       if (field.only_with) conditional.push([row, ...field.only_with]);
       if (!group.title) main.set(field.name, row);

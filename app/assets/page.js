@@ -391,6 +391,7 @@
     page.lessons.answer(data);
     page.inspector.answer(data);
     page.units.answer(data);
+    page.rotor.answer(data);
     if (data.python) offer("This view as Python", data.python.py, data.python);
     if (data.toast !== undefined) tell(data.toast);
     page.history.answer(data);

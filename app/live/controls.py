@@ -24,6 +24,8 @@ from rotorstab import STIFFNESS_LAWS
 from ..background.telemetry import observe
 from ..background.threads import turn
 from ..state import PRESETS, SI_INPUTS, SYMBOLS, State
+from ..state.own_inputs import OWN_SLIDERS
+from ..state.own_presets import OWN_FILE, OWN_PRESETS
 
 __all__ = ["Controls", "field"]
 
@@ -64,6 +66,8 @@ GROUPS = (
     ),
     ("Units", False, ("units", *SI_INPUTS)),
 )
+OWN_GROUP = ("own_rotor", *OWN_SLIDERS)
+"""The inputs of the page Your rotor, which alone shows them."""
 # an input that is shown only while another one has a value
 ONLY_WITH = {"tangency": ("load_type", "partly")}
 WORDS = {
@@ -84,6 +88,8 @@ WORDS = {
     "steel": "Steel",
     "aluminium": "Aluminium",
     "titanium": "Titanium",
+    **{name: preset.title for name, preset in OWN_PRESETS.items()},
+    OWN_FILE: "From a file",
 }
 
 
@@ -130,7 +136,8 @@ class Controls(pn.custom.JSComponent):
             spec=[
                 {"title": title, "open": open_, "fields": [field(name) for name in names]}
                 for title, open_, names in GROUPS
-            ],
+            ]
+            + [{"title": "Your rotor", "page": "rotor", "fields": [*map(field, OWN_GROUP)]}],
             presets=list(PRESETS),
             sizing_mode="stretch_width",
         )

@@ -19,6 +19,7 @@ from ..results.limits import Detail
 from ..results.paper_charts import paper_charts
 from ..state import State
 from .explore import COMPARISON
+from .own_rotor import OwnRotor
 from .stiffness import Stiffness
 
 __all__ = ["Warming", "warming"]
@@ -35,6 +36,9 @@ def _steps() -> Iterator[None]:
     """Draw one chart after the other."""
     state = State()
     for chart in Stiffness().compute(state).values():
+        draw(chart)
+        yield
+    for chart in OwnRotor().compute(state, Detail.COARSE).values():
         draw(chart)
         yield
     for number in _FIGURES:

@@ -54,6 +54,9 @@ class Model:
         """Whether the model has damping of either kind."""
         return bool(self.external_damping or self.internal_damping)
 
+    planes = False
+    """Whether the bearings differ in two directions, as those of another rotor may."""
+
     def undamped(self) -> Model:
         """Return the model without damping, which is what Bolotin's method is for."""
         return replace(self, external_damping=0.0, internal_damping=0.0)

@@ -25,6 +25,7 @@ from rotorstab.maps.work import columns_within_work
 from . import limits
 from .limits import Detail, map_size
 from .model import Model, Operation
+from .own_model import OwnModel, OwnOperation
 from .views import View
 
 __all__ = ["FloquetMap", "Window", "chart_options", "floquet_map"]
@@ -40,12 +41,13 @@ class Window:
 
     Parameters
     ----------
-    operation : Operation
+    operation : Operation or OwnOperation
+        The second has units of its own.
     view : View
         Ranges of θ/ω_n and of β_d.
     """
 
-    operation: Operation
+    operation: Operation | OwnOperation
     view: View
 
     @property
@@ -96,7 +98,9 @@ class FloquetMap:
     of_all_whirls: bool = False
 
 
-def chart_options(model: Model, detail: Detail, matrices: bool = False) -> dict[str, Any]:
+def chart_options(
+    model: Model | OwnModel, detail: Detail, matrices: bool = False
+) -> dict[str, Any]:
     """Return the options of `stability_chart` for the growth map of a model."""
     return {
         "density": map_size(model, detail, matrices).density,
@@ -150,11 +154,7 @@ def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
     if window.view.low == 0:
         up.nodes, up.pixels = np.append(0.0, up.nodes), up.pixels + 1
     whole, known, resolved = _growth(window, up.nodes, across.nodes, detail, matrices)
-    undamped, static = operation.undamped, operation.static_load
-    mask = np.zeros((size.rows, size.columns), dtype=np.bool_)
-    inside = undamped.in_charts(static + up.centres)
-    if inside.any():
-        mask[inside] = bolotin_mask(undamped, static, up.centres[inside], across.centres)
+    mask = _bolotin_mask(window, up.centres, across.centres)
     growth = _on_pixels(whole, known, up, across)
     edges = whole.edges if whole is not None else None
     if whole is None or edges is None:
@@ -168,6 +168,20 @@ def _map(window: Window, detail: Detail, matrices: bool) -> FloquetMap:
     if not operation.model.is_damped:  # with damping what is unstable is wide there, and shown
         edges, rates = edges.from_column(first), rates[:, first:]
     return FloquetMap(growth, mask, edges, rates, lowest if lowest > across.nodes[0] else 0.0)
+
+
+def _bolotin_mask(
+    window: Window, loads: NDArray[np.float64], frequencies: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return which pixels lie in a Bolotin region, none of a rotor that is not compared."""
+    mask = np.zeros((len(loads), len(frequencies)), dtype=np.bool_)
+    undamped, static = window.operation.undamped, window.operation.static_load
+    if undamped is None:
+        return mask
+    inside = undamped.in_charts(static + loads)
+    if inside.any():
+        mask[inside] = bolotin_mask(undamped, static, loads[inside], frequencies)
+    return mask
 
 
 def _growth(
@@ -217,7 +231,7 @@ def _growth(
     return chart, known, resolved
 
 
-def _most_nodes(model: Model, detail: Detail) -> float:
+def _most_nodes(model: Model | OwnModel, detail: Detail) -> float:
     """Return the largest sum of nodes times steps of a map."""
     if detail is Detail.COARSE and model.kind == "finite elements":
         return limits.COARSE_NODES_OF_ELEMENTS
@@ -253,7 +267,7 @@ def _on_pixels(
 
 
 def _followed(
-    model: Model,
+    model: Model | OwnModel,
     fastest: float,
     frequencies: NDArray[np.float64],
     detail: Detail,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .chart_inputs import ChartInputs
 from .declaration import Facts, Use
+from .own_inputs import OwnInputs
 from .point_inputs import PointInputs
 from .rotor_inputs import RotorInputs
 from .shaft_inputs import ShaftInputs
@@ -12,7 +13,7 @@ __all__ = ["FACTS", "NAMES", "SI_INPUTS", "SYMBOLS", "Inputs", "names_for"]
 
 
 # the parameters of the last class come first
-class Inputs(ShaftInputs, PointInputs, ChartInputs, RotorInputs):
+class Inputs(OwnInputs, ShaftInputs, PointInputs, ChartInputs, RotorInputs):
     """Every input of the dashboard, with its bounds, step and one-line meaning."""
 
 

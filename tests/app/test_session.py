@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rotorstab as rs
-from app.live.controls import GROUPS, Controls
+from app.live.controls import GROUPS, OWN_GROUP, Controls
 from app.pages import PAGES, explore
 from app.pages.warming import Warming
 from app.reading.user_error import UserError
@@ -190,8 +190,8 @@ def assert_key_numbers(numbers, state):
 def test_every_input_is_moved_by_a_test_and_has_a_control():
     placed = {name for _, _, names in GROUPS for name in names}
     assert placed == set(MOVES)
-    # the others are the inspector's own, and the choice among the pins
-    assert set(State().inputs()) - placed == INSPECTOR | {"compared"}
+    # the others are the inspector's own, the choice among the pins, and those of another page
+    assert set(State().inputs()) - placed == INSPECTOR | {"compared", *OWN_GROUP}
 
 
 def test_a_session_starts_with_the_solvers_picture(session):

@@ -27,6 +27,8 @@ KINDS = tuple(
         "use_shaft",
         "rotor_file",
         "save_rotor_file",
+        "own_file",
+        "own_save",
         "figure",
         "lesson",
         "lesson-set",
@@ -138,7 +140,7 @@ def message(rng):
     if kind == "preset" and rng.random() < 0.5:
         found["name"] = rng.choice(list(PRESETS))
     if kind == "page" and rng.random() < 0.7:
-        found["name"] = rng.choice(["explore", "stiffness", "paper", "lessons"])
+        found["name"] = rng.choice(["explore", "rotor", "stiffness", "paper", "lessons"])
     return found
 
 

@@ -15,7 +15,15 @@ from .quantities import Wording
 from .roles import ROLES
 from .structure import Layer
 
-__all__ = ["Lines", "around_zero", "label_columns", "mark_columns", "points_layer", "widened"]
+__all__ = [
+    "Lines",
+    "around_zero",
+    "label_columns",
+    "mark_columns",
+    "points_layer",
+    "where_growing",
+    "widened",
+]
 
 _LABEL = 0.15  # height of a label, in heights of a low chart
 _TWIN = 1e-6  # of a frequency: two that differ from a conjugate pair by less are one
@@ -79,7 +87,7 @@ class Lines:
         name : str
             With a place {} for the name of the mode.
         """
-        grows = _growing(curves.frequencies)
+        grows = where_growing(curves.frequencies)
         columns = zip(curves.frequencies.real.T, grows.T, modes(curves.names), strict=True)
         for column, growing, mode in columns:
             text = name.format(mode.name)
@@ -98,7 +106,7 @@ def widened(stretch: Mask) -> Mask:
     return wider
 
 
-def _growing(frequencies: Complex) -> Mask:
+def where_growing(frequencies: Complex) -> Mask:
     """Return where whirls (m, 2n) grow, and where they are the decaying half of such a pair.
 
     Without damping two frequencies that have met are complex conjugates: one whirl grows, the

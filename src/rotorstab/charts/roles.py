@@ -107,6 +107,15 @@ ROLES: Mapping[str, Role] = {
     "pin 2": Role("#96693a", "7 3", 1.6, "second pin", "dashdot"),
     "pin 3": Role("#2f8f8f", "7 3 2 3", 1.6, "third pin", "dashdot"),
     "limit": Role(NEUTRAL, "9 5", 1.4, "buckling or flutter load", "dashed"),
+    # parts of a rotor, and the whirl of one whose bearings differ in two directions
+    "shaft": Role(NEUTRAL, "solid", 1.2, "shaft"),
+    "disk": Role("#96693a", "solid", 1.4, "disk"),
+    "bearing": Role("#7a6fd8", "solid", 1.4, "bearing"),
+    "clamp": Role("#6b7a90", "solid", 1.4, "clamp"),
+    "load": Role("#758600", "solid", 2.2, "axial load"),
+    "axis": Role(NEUTRAL, "12 3 2 3", 1.0, "axis of rotation", "dashdot"),
+    "straight": Role("#2f8f8f", "7 3 2 3", 2.0, "whirl on a straight line (S)", "dashdot"),
+    "estimate": Role(UNSTABLE, "4 4", 1.2, "first-order estimate of a tongue", "dotted"),
     # variants of a figure of the paper: the style alone tells them apart in grey print
     "solid": Role("#1f7fbf", "solid", 2.0, ""),
     "dashed": Role("#cf5a12", "8 4", 2.0, "", "dashed"),

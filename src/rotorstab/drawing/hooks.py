@@ -58,10 +58,11 @@ def hover(chart: Chart) -> HoverTool:
 
 
 def map_hover(chart: Chart) -> HoverTool:
-    """Return a hover tool that gives the place, the growth and both verdicts."""
-    words = CustomJSHover(
-        code=f"return {json.dumps([answer.words for answer in Agreement])}[value]"
-    )
+    """Return a hover tool that gives the place, the growth and the verdicts."""
+    verdicts = [answer.words for answer in Agreement]
+    if all(layer.label != "disagreement" for layer in chart.layers):
+        verdicts = ["stable", "unstable", "", "", Agreement.NOT_COMPUTED.words]
+    words = CustomJSHover(code=f"return {json.dumps(verdicts)}[value]")
     x, y, growth = hover_names(chart)
     return HoverTool(
         tooltips=[

@@ -54,6 +54,8 @@ def _draw_map(chart: Chart, layer: Layer) -> hv.Image:
     """Return a map as an image; growth is not seen, and carries the hover."""
     (left, right), (low, high) = chart.x_range, chart.y_range
     values = np.asarray(layer.columns["image"][0])
+    if not np.isfinite(values).any():  # HoloViews warns of a map without a range
+        values = np.zeros_like(values)
     # HoloViews wants the first row on top
     image = hv.Image(
         values[::-1], bounds=(left, low, right, high), vdims=["image"], label=layer.label

@@ -1,0 +1,167 @@
+"""Your rotor: any rotor from a file or an example, its drawing, whirls and unstable tongues."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from rotorstab import Rotor
+from rotorstab.charts import Chart
+from rotorstab.rotors.rotor_file import rotor_to_toml
+
+from ..live.chart import LiveChart
+from ..live.low import make_low
+from ..live.small import make_small
+from ..reading.numbers import printable
+from ..results.growth_maps import known_detail
+from ..results.limits import Detail
+from ..results.own_charts import OWN_CHARTS, own_chart, own_tongues, own_window
+from ..results.own_model import (
+    OwnModel,
+    OwnOperation,
+    Parts,
+    keep_opened,
+    opened_model,
+    scaled_rotor,
+)
+from ..results.window import Window
+from ..state import State
+from ..state.own_file import LARGEST_OWN_FILE, OpenedRotor
+from ..state.own_presets import OWN_FILE, OWN_PRESETS
+from ..state.rates import rpm
+from ..words.own_rotor import own_facts, own_sentence
+from .base import Need, Page, Reply
+
+__all__ = ["OwnRotor"]
+
+_FACTORS = ("own_disk_mass", "own_inertia", "own_stiffness", "own_damping")
+_LOST = "This link was made with the rotor of a file: open that file again. Shown is an example."
+
+
+class OwnRotor(Page):
+    """The drawing of a rotor, its stability chart, Campbell diagram and load–frequency curves."""
+
+    key = "rotor"
+    title = "Your rotor"
+    chart_keys = OWN_CHARTS
+    takes = frozenset({"own_file", "own_save"})
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._opened: Rotor | None = None  # the rotor of a file
+        self._name = ""
+        self._notes: tuple[str, ...] = ()
+
+    def rotor(self, state: State) -> Rotor:
+        """Return the chosen rotor without its factors."""
+        if state.own_rotor == OWN_FILE and self._opened is not None:
+            return self._opened
+        chosen = OWN_PRESETS.get(state.own_rotor, next(iter(OWN_PRESETS.values())))
+        return chosen.rotor
+
+    def operation(self, state: State) -> OwnOperation:
+        """Return the rotor with its factors, its speed and its load."""
+        factors = (getattr(state, name) for name in _FACTORS)
+        return OwnOperation(Parts(self.rotor(state), *factors), state.own_spin, state.own_load)
+
+    def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
+        """Return the four charts; the growth comes once another process has made it."""
+        operation = self.operation(state)
+        return {key: own_chart(key, operation, detail) for key in OWN_CHARTS}
+
+    def awaited(self, state: State) -> Window | None:
+        """Return the window of the growth map until the map is there."""
+        try:
+            window = own_window(self.operation(state))
+        except ValueError:  # `compute` raises the same error, for the user
+            return None
+        return None if known_detail(window) is Detail.FULL else window
+
+    def cache_key(self) -> tuple[Any, ...]:
+        """Return the rotor of the file."""
+        return (self._opened,)
+
+    def built(self, key: str, chart: LiveChart) -> None:
+        """Leave the height of a chart to the page; the drawing has no tools."""
+        chart.figure.min_height = None
+        if key == "rotor-drawing":
+            make_small(chart.figure)
+        elif key != "rotor-instability":
+            make_low(chart.figure)
+
+    def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
+        """Return the words and numbers of the page."""
+        operation = self.operation(state)
+        model, table = operation.model, own_tongues(operation)
+        waits = detail is not Detail.FULL and self.awaited(state) is not None
+        return {
+            "own": {
+                "inputs": {"own_spin": {"factor": rpm(model.scales), "unit": "rpm", "symbol": "Ω"}},
+                "sentence": own_sentence(model, table, own_window(operation).view.right, waits),
+                "waits": waits,
+                "facts": own_facts(scaled_rotor(operation.parts), model, table),
+                "source": self._source(state),
+                "notes": self._all_notes(state, model),
+            }
+        }
+
+    def _source(self, state: State) -> str:
+        if state.own_rotor == OWN_FILE:
+            return f"From the file {self._name}." if self._opened is not None else _LOST
+        return OWN_PRESETS[state.own_rotor].source
+
+    def _all_notes(self, state: State, model: OwnModel) -> list[str]:
+        notes = [model.note] if model.note else []
+        if state.own_rotor == OWN_FILE and self._opened is not None:
+            notes += self._notes
+        return notes
+
+    def handle(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Open a file, or return the rotor as one."""
+        if message.get("type") == "own_save":
+            return self._save(state)
+        if message.get("type") == "own_file":
+            return self._open(message, state)
+        return Reply()
+
+    def _save(self, state: State) -> Reply:
+        rotor = scaled_rotor(self.operation(state).parts)
+        data = b64encode(rotor_to_toml(rotor).encode()).decode()
+        name = "rotor.toml"
+        file = {"name": name, "mime": "application/toml", "base64": data}
+        return Reply({"file": file, "told": f"{name} is ready"})
+
+    def _open(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Have a file read elsewhere: a large one takes longer than an answer may."""
+        text, name = message.get("text"), message.get("name")
+        if not isinstance(text, str) or len(text) > LARGEST_OWN_FILE:
+            words = f"the file is larger than {LARGEST_OWN_FILE // 1000} kB"
+            return Reply({"own_opened": {"problem": words}})
+        found: list[tuple[OpenedRotor, OwnModel | None]] = []
+
+        def keep(made: tuple[OpenedRotor, OwnModel | None]) -> None:
+            found.append(made)
+            keep_opened(made)
+
+        shown = printable(name, 60) if isinstance(name, str) else "rotor"
+        answer = partial(self._take, found, shown, state)
+        failed = {"own_opened": {"problem": "the file could not be read: try again"}}
+        content = {"own_opening": shown}
+        return Reply(content, follow_up=(Need(opened_model, (text,), keep), answer), failure=failed)
+
+    def _take(
+        self, found: list[tuple[OpenedRotor, OwnModel | None]], name: str, state: State
+    ) -> Reply:
+        """Show the rotor of a file; a refused one leaves everything as it was."""
+        opened, _ = found[-1]
+        if opened.rotor is None:
+            return Reply({"own_opened": {"problem": opened.problem}, "told": f"{name} was refused"})
+        self._opened, self._name, self._notes = opened.rotor, name, opened.notes
+        defaults = {one: State.param[one].default for one in _FACTORS}
+        state.change({"own_rotor": OWN_FILE, **defaults})
+        for chart in self.charts.values():  # a zoom belongs to its rotor
+            chart.reset_view()
+        # the browser then asks once more, and the charts come with the answer
+        return Reply({"own_opened": {"problem": ""}, "told": f"{name} is open"})
