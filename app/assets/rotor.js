@@ -65,6 +65,7 @@ window.rotorstab.rotor = (() => {
       // the charts of the rotor come with the answer to this message
       if (!data.own_opened.problem) page.send({ type: "own_shown" });
     }
+    if (data.replaced) say("");
     if (!data.own) return;
     const { sentence, source, notes, facts, waits } = data.own;
     place("sentence").replaceChildren(...page.rich(sentence));
