@@ -57,6 +57,16 @@ window.rotorstab.rotor = (() => {
     fit();
   }
 
+  // a click on the stability chart places the marked point
+  function tap(x, y) {
+    const inputs = page.last?.own?.inputs;
+    if (!inputs) return;
+    const [frequency, factor] = [x / inputs.own_frequency.factor, y / inputs.own_factor.factor];
+    if (!(frequency > 0 && frequency <= 7 && factor >= 0 && factor <= 0.5)) return;
+    page.change("own_frequency", Number(frequency.toFixed(4)));
+    page.change("own_factor", Number(factor.toFixed(4)));
+  }
+
   function answer(data) {
     if (data.own_opening) { say(""); opening.textContent = `Reading ${data.own_opening} …`; }
     if (data.own_opened) {
@@ -67,16 +77,17 @@ window.rotorstab.rotor = (() => {
     }
     if (data.replaced) say("");
     if (!data.own) return;
-    const { sentence, source, notes, facts, waits } = data.own;
+    const { sentence, source, notes, facts, point, waits } = data.own;
     place("sentence").replaceChildren(...page.rich(sentence));
     place("sentence").setAttribute("aria-busy", String(waits));
     place("source").textContent = source;
     place("notes").hidden = !notes.length;
     place("notes").textContent = notes.length > 1 ? `Not as in the file: ${notes.join("; ")}.` : notes.join("");
     place("facts").replaceChildren(...page.facts(facts));
+    place("point").replaceChildren(...page.facts(point));
     if (!watching) { watching = true; watch(); }
     requestAnimationFrame(fit);
   }
 
-  return { panel, answer };
+  return { panel, answer, tap };
 })();

@@ -7,8 +7,10 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from bokeh.models import CustomJS
+
 from rotorstab import Rotor
-from rotorstab.charts import Chart
+from rotorstab.charts import Chart, load_unit
 from rotorstab.rotors.rotor_file import rotor_to_toml
 
 from ..live.chart import LiveChart
@@ -17,7 +19,17 @@ from ..live.small import make_small
 from ..reading.numbers import printable
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
-from ..results.own_charts import OWN_CHARTS, own_chart, own_tongues, own_window
+from ..results.own_charts import (
+    OWN_CHARTS,
+    OwnPoint,
+    marked,
+    own_chart,
+    own_factors,
+    own_floquet,
+    own_point,
+    own_tongues,
+    own_window,
+)
 from ..results.own_model import (
     OwnModel,
     OwnOperation,
@@ -31,11 +43,12 @@ from ..state import State
 from ..state.own_file import LARGEST_OWN_FILE, OpenedRotor
 from ..state.own_presets import OWN_FILE, OWN_PRESETS
 from ..state.rates import rpm
-from ..words.own_rotor import own_facts, own_sentence
+from ..words.own_rotor import own_facts, own_sentence, point_facts
 from .base import Need, Page, Reply
 
 __all__ = ["OwnRotor"]
 
+INSTABILITY = "rotor-instability"
 _FACTORS = ("own_disk_mass", "own_inertia", "own_stiffness", "own_damping")
 _LOST = "This link was made with the rotor of a file: open that file again. Shown is an example."
 
@@ -69,7 +82,12 @@ class OwnRotor(Page):
     def compute(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Chart]:
         """Return the four charts; the growth comes once another process has made it."""
         operation = self.operation(state)
-        return {key: own_chart(key, operation, detail) for key in OWN_CHARTS}
+        charts = {key: own_chart(key, operation, detail) for key in OWN_CHARTS}
+        point = self._point(state)
+        return charts | {INSTABILITY: marked(charts[INSTABILITY], point)}
+
+    def _point(self, state: State) -> OwnPoint:
+        return own_point(self.operation(state), state.own_frequency, state.own_factor)
 
     def awaited(self, state: State) -> Window | None:
         """Return the window of the growth map until the map is there."""
@@ -88,7 +106,11 @@ class OwnRotor(Page):
         chart.figure.min_height = None
         if key == "rotor-drawing":
             make_small(chart.figure)
-        elif key != "rotor-instability":
+        elif key == INSTABILITY:
+            chart.figure.js_on_event(
+                "tap", CustomJS(code="window.rotorstab.rotor.tap(cb_obj.x, cb_obj.y)")
+            )
+        else:
             make_low(chart.figure)
 
     def answer(self, state: State, detail: Detail = Detail.FULL) -> dict[str, Any]:
@@ -96,10 +118,18 @@ class OwnRotor(Page):
         operation = self.operation(state)
         model, table = operation.model, own_tongues(operation)
         waits = detail is not Detail.FULL and self.awaited(state) is not None
+        point = self._point(state)
+        solution = own_floquet(point)
+        (across, up), load = own_factors(model.scales), load_unit(model.scales)
         return {
             "own": {
-                "inputs": {"own_spin": {"factor": rpm(model.scales), "unit": "rpm", "symbol": "Ω"}},
-                "sentence": own_sentence(model, table, own_window(operation).view.right, waits),
+                "inputs": {
+                    "own_spin": {"factor": rpm(model.scales), "unit": "rpm", "symbol": "Ω"},
+                    "own_frequency": {"factor": across, "unit": "Hz", "symbol": "θ/2π"},
+                    "own_factor": {"factor": up, "unit": load, "symbol": "Pₜ"},
+                },
+                "sentence": own_sentence(point, solution, table, waits),
+                "point": point_facts(point, solution, model),
                 "waits": waits,
                 "facts": own_facts(scaled_rotor(operation.parts), model, table),
                 "source": self._source(state),

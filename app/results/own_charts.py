@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rotorstab import (
+    FloquetSolution,
     ResonanceTable,
+    Scales,
     campbell_diagram,
     critical_speeds,
+    floquet_solution,
     load_frequency_curves,
     resonances,
 )
 from rotorstab.charts import (
     Chart,
     GrowthGrid,
+    chart_factors,
     fitted_top,
     in_si,
+    marker_layer,
     rotor_drawing,
     stability_chart_of,
     unsigned_campbell_chart,
@@ -27,12 +32,22 @@ from rotorstab.charts import (
 
 from .caches import shared_cache
 from .growth_maps import known_detail, known_map
-from .limits import Detail
+from .limits import MOST_STEPS, Detail
 from .own_model import OwnModel, OwnOperation, Parts, own_model, scaled_rotor
 from .views import View
 from .window import FloquetMap, Window
 
-__all__ = ["OWN_CHARTS", "own_chart", "own_tongues", "own_window"]
+__all__ = [
+    "OWN_CHARTS",
+    "OwnPoint",
+    "marked",
+    "own_chart",
+    "own_factors",
+    "own_floquet",
+    "own_point",
+    "own_tongues",
+    "own_window",
+]
 
 OWN_CHARTS = ("rotor-drawing", "rotor-instability", "rotor-campbell", "rotor-load-frequency")
 """Keys of the charts; a page has no two charts of one key."""
@@ -60,6 +75,56 @@ def _resting_frequencies(parts: Parts) -> tuple[float, ...]:
     found = np.sort(np.abs(resonances(system, 0.0, 0.0).frequencies.real))
     # each whirl at rest comes as ±ω
     return tuple(float(one) for one in found[::2])
+
+
+@dataclass(frozen=True)
+class OwnPoint:
+    """A point of the stability chart.
+
+    Parameters
+    ----------
+    operation : OwnOperation
+    excitation, pulsating_load : float
+        In the units of the rotor.
+    """
+
+    operation: OwnOperation
+    excitation: float
+    pulsating_load: float
+
+
+@shared_cache(64)
+def own_floquet(point: OwnPoint) -> FloquetSolution:
+    """Return Floquet's answer at a point; NaN growth where it takes too many steps."""
+    return floquet_solution(
+        point.operation.system,
+        point.operation.static_load,
+        point.pulsating_load,
+        point.excitation,
+        most_steps=MOST_STEPS[point.operation.model.kind],
+    )
+
+
+def own_point(operation: OwnOperation, frequency: float, factor: float) -> OwnPoint:
+    """Return the marked point; a frequency of 0 is that of the strongest tongue of the chart."""
+    high = _frequency_range(operation)[1]
+    if not frequency:
+        seen = [one for one in own_tongues(operation).tongues if one.centre <= high]
+        strongest = max(seen, key=lambda one: one.growth, default=None)
+        frequency = high / 3 if strongest is None else strongest.centre
+    return OwnPoint(operation, min(frequency, high), factor)
+
+
+def marked(chart: Chart, point: OwnPoint) -> Chart:
+    """Return the stability chart with the marked point."""
+    hertz, load = own_factors(point.operation.model.scales)
+    layer = marker_layer(point.excitation * hertz, point.pulsating_load * load)
+    return replace(chart, layers=(*chart.layers, layer))
+
+
+def own_factors(scales: Scales) -> tuple[float, float]:
+    """Return what one unit of each axis of the stability chart is: in Hz, and in N or kN."""
+    return chart_factors("instability", scales, 1.0, 1.0)
 
 
 def _top(operation: OwnOperation) -> float:

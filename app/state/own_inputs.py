@@ -17,6 +17,8 @@ OWN_SLIDERS = (
     "own_inertia",
     "own_stiffness",
     "own_damping",
+    "own_frequency",
+    "own_factor",
 )
 """The sliders of the page, in their order."""
 
@@ -78,4 +80,21 @@ class OwnInputs(param.Parameterized):
         step=0.05,
         label="Bearing damping, factor",
         doc="Multiplies the damping of every bearing.",
+    )
+    own_frequency = Number(
+        Facts("rf", symbol="θ"),
+        default=0.0,
+        bounds=(0.0, 7.0),
+        step=0.01,
+        label="Marked point, frequency",
+        doc="Excitation frequency θ/2π of the marked point; at 0 it follows the strongest tongue. "
+        "A click on the stability chart sets it, too.",
+    )
+    own_factor = Number(
+        Facts("rb", symbol="Pₜ"),
+        default=0.25,
+        bounds=(0.0, 0.5),
+        step=0.005,
+        label="Marked point, pulsating load",
+        doc="Pulsating load of the marked point.",
     )

@@ -1,4 +1,4 @@
-"""What the page Your rotor says: a sentence above the chart, and the key numbers of the rotor."""
+"""What the page Your rotor says: of its marked point, and the key numbers of the rotor."""
 
 from __future__ import annotations
 
@@ -6,45 +6,61 @@ import math
 
 import numpy as np
 
-from rotorstab import ResonanceTable, Rotor
+from rotorstab import FloquetSolution, ResonanceTable, Rotor
 from rotorstab.charts import LOAD_UNITS, load_unit, written
 
+from ..results.growth import Motion, motion_of
+from ..results.own_charts import OwnPoint
 from ..results.own_model import OwnModel
 from ..state.rates import hertz, rpm
+from .point import point_sentence
 from .typography import with_unit
 
-__all__ = ["own_facts", "own_sentence"]
+__all__ = ["own_facts", "own_sentence", "point_facts"]
 
-_WAITS = "Dotted: first-order tongues. Floquet’s growth is being computed …"
+_WAITS = "The growth of the chart is being computed …"
 
 
 def own_sentence(
-    model: OwnModel, table: ResonanceTable, largest_frequency: float, waits: bool
+    point: OwnPoint, solution: FloquetSolution, table: ResonanceTable, waits: bool
 ) -> str:
-    """Return what is seen of the stability chart.
+    """Return what is true at the marked point.
 
     Parameters
     ----------
-    model : OwnModel
+    point : OwnPoint
+    solution : FloquetSolution
+        There.
     table : ResonanceTable
-        At the largest load of the chart.
-    largest_frequency : float
-        At the right end of the chart.
+        Of the rotor at this speed and static load.
     waits : bool
-        Whether the growth is not there yet.
+        Whether the growth of the chart is not there yet.
     """
-    if table.mean_is_unstable:
-        pace = math.log(2) / (table.mean_growth * model.scales.frequency)
-        words = f"Unstable, even without pulsation: a whirl doubles every {written(pace, 3)} s."
-        return f"{words} {_WAITS}" if waits else words
-    if waits:
-        return _WAITS
-    seen = [one for one in table.tongues if one.centre <= largest_frequency]
-    if not seen:
-        return "No two whirls make a tongue of first order here."
-    widest = max(seen, key=lambda one: one.growth)
-    place = with_unit(written(widest.centre * hertz(model.scales), 3), "Hz")
-    return f"Coloured: unstable by Floquet’s method. Strongest tongue: {widest.name} at {place}."
+    if not np.isfinite(solution.growth_rate):
+        words = "At this frequency one period needs more steps than the server computes."
+    else:
+        words = point_sentence(solution, point.excitation, table)
+    return f"{words} {_WAITS}" if waits else words
+
+
+def point_facts(point: OwnPoint, solution: FloquetSolution, model: OwnModel) -> list[list[str]]:
+    """Return where the marked point lies, and how fast the motion grows or decays there."""
+    unit = load_unit(model.scales)
+    load = point.pulsating_load * model.scales.load / LOAD_UNITS[unit]
+    facts = [
+        ["Excitation frequency", with_unit(written(point.excitation * hertz(model.scales)), "Hz")],
+        ["Pulsating load", with_unit(written(load), unit)],
+    ]
+    rate = float(solution.growth_rate) * model.scales.frequency
+    motion = motion_of(solution)
+    if not math.isfinite(rate) or motion is Motion.NEITHER:
+        return facts
+    pace = "Doubling time" if motion is Motion.GROWS else "Half-life"
+    return [
+        *facts,
+        ["Growth rate σ", with_unit(written(rate, 3), "1/s")],
+        [pace, with_unit(written(math.log(2) / abs(rate), 3), "s")],
+    ]
 
 
 def own_facts(rotor: Rotor, model: OwnModel, table: ResonanceTable) -> list[list[str]]:

@@ -98,7 +98,12 @@ def test_the_growth_is_that_of_the_whole_rotor(session):
     column = int(hertz(tongue.centre) / window["dw"][0] * count)
     row = int(0.25 * load / 1e3 / window["dh"][0] * rows)
     assert image[row, column] == pytest.approx(wanted, rel=0.1)
-    assert f"1B+1F at {hertz(tongue.centre):.1f}" in answer["own"]["sentence"]
+    # the marked point stands in this tongue
+    facts = dict(answer["own"]["point"])
+    assert facts["Excitation frequency"].startswith(f"{hertz(tongue.centre):.1f}")
+    growth = float(facts["Growth rate σ"].split("\N{NO-BREAK SPACE}")[0])
+    assert growth == pytest.approx(wanted, rel=0.02)
+    assert answer["own"]["sentence"].endswith("Tongue 1B+1F.")
 
 
 def test_the_curves_are_those_of_the_whole_rotor(session):
@@ -108,6 +113,16 @@ def test_the_curves_are_those_of_the_whole_rotor(session):
     wanted = np.sort([*speeds.forward, *speeds.backward])[:4]
     np.testing.assert_allclose(points["x"], wanted * 60 / math.tau, rtol=5e-3)
     np.testing.assert_allclose(points["y"], np.asarray(points["x"]) / 60)
+
+
+def test_the_marked_point_is_where_it_is_put(session):
+    answer = change(session, own_frequency=1.0, own_factor=0.1)
+    scales = session.pages["rotor"].operation(session.state).model.scales
+    assert answer["own"]["sentence"].startswith("Stable: the whirl neither grows nor decays.")
+    assert "Growth rate σ" not in dict(answer["own"]["point"])
+    marker = columns(session, "rotor-instability", "marker")
+    assert marker["x"][0] == pytest.approx(hertz(scales.frequency))
+    assert marker["y"][0] == pytest.approx(0.1 * scales.load / 1e3)
 
 
 def test_a_rotor_of_two_planes_has_the_tongues_of_the_library(session):
@@ -128,7 +143,7 @@ def test_a_rotor_of_two_planes_has_the_tongues_of_the_library(session):
 def test_oil_whirl_is_said_to_need_no_pulsation(session):
     problem, _ = open_text(session, rotor_to_toml(OIL_FILM))
     assert problem == ""
-    answer = change(session, own_spin=0.5)
+    answer = change(session, own_spin=0.5, own_factor=0.0)
     assert "Unstable, even without pulsation" in answer["own"]["sentence"]
     assert len(columns(session, "rotor-campbell", "whirl")["xs"]) >= 4
 
