@@ -72,8 +72,8 @@ window.rotorstab.rotor = (() => {
     if (data.own_opened) {
       opening.textContent = "";
       say(data.own_opened.problem && `${data.own_opened.problem}. Nothing was changed.`);
-      // the charts of the rotor come with the answer to this message
-      if (!data.own_opened.problem) page.send({ type: "own_shown" });
+      // the charts of a large rotor come with the answer to this message
+      if (!data.own_opened.problem && !data.own) page.send({ type: "own_shown" });
     }
     if (data.replaced) say("");
     if (!data.own) return;

@@ -50,6 +50,7 @@ __all__ = ["OwnRotor"]
 
 INSTABILITY = "rotor-instability"
 _FACTORS = ("own_disk_mass", "own_inertia", "own_stiffness", "own_damping")
+_QUICK = 20_000  # characters of a file that is read at once
 _LOST = "This link was made with the rotor of a file: open that file again. Shown is an example."
 
 
@@ -164,7 +165,7 @@ class OwnRotor(Page):
         return Reply({"file": file, "told": f"{name} is ready"})
 
     def _open(self, message: Mapping[str, Any], state: State) -> Reply:
-        """Have a file read elsewhere: a large one takes longer than an answer may."""
+        """Read a file, a large one elsewhere: it takes longer than an answer may."""
         text, name = message.get("text"), message.get("name")
         if not isinstance(text, str) or len(text) > LARGEST_OWN_FILE:
             words = f"the file is larger than {LARGEST_OWN_FILE // 1000} kB"
@@ -176,6 +177,9 @@ class OwnRotor(Page):
             keep_opened(made)
 
         shown = printable(name, 60) if isinstance(name, str) else "rotor"
+        if len(text) <= _QUICK:
+            keep(opened_model(text))
+            return self._take(found, shown, state)
         answer = partial(self._take, found, shown, state)
         failed = {"own_opened": {"problem": "the file could not be read: try again"}}
         content = {"own_opening": shown}
