@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..floquet.resonance import Resonance
+from ..floquet.resonance_table import Resonance
 from ..maps.grid_edges import GridEdges
 from .columns import Lines
 from .quantities import EXCITATION_RATIO, LOAD_FACTOR
