@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from ..._numerics.chebyshev import chebyshev_values
-from ..._types import AnyArray, Array, Mask
+from ..._types import AnyArray, Array, Complex, Mask
 from ...model.system import System
 from .chart_panels import chart_panels, node_sampler
 from .edge_measure import edge_of_approach, edge_of_multipliers, with_verdict
@@ -227,4 +227,23 @@ class ChartInterpolant:
                 continue
             error = self.coefficient_error(index, load, period)
             found[at] = self.growth_and_edge(functions, error, period)[2]
+        return found
+
+    def single_multipliers(self, loads: Array, periods: Array) -> Complex:
+        """Return all multipliers (P, 2n) at P single points, each integrated as a node is.
+
+        This is for more than two coordinates. Periods beyond the chart take the steps of its end.
+        """
+        size = 2 * self.system.size
+        found = np.full((len(periods), size), np.nan, dtype=np.complex128)
+        ends = [panel.high for panel in self.panels[:-1]]
+        for index, panel in enumerate(self.panels):
+            at = np.flatnonzero(np.searchsorted(ends, periods) == index)
+            if not at.size:
+                continue
+            entries = self.sampler.single_points(panel, periods[at], loads[at])
+            y = entries.T.reshape(-1, size, size)
+            if self.system.is_reversible:
+                y = np.linalg.solve(y.conj(), y)
+            found[at] = np.linalg.eigvals(y)
         return found

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from ..._tolerances import VISIBLE_GROWTH
@@ -10,7 +12,7 @@ from ..interpolant.chart_interpolant import ChartInterpolant
 from ..point import floquet_solution
 from ..resonance import resonances
 from ..resonance_table import Resonance
-from .collision_measure import collision_measure
+from .collision_measure import pair_closeness
 from .collisions import multiplier_collisions, surely_unstable
 from .tracking import tongue_centres
 
@@ -92,9 +94,15 @@ def _narrow_centres(
     some = np.flatnonzero((loads > 0) & (strength.min() * loads < width))
     if not some.size:
         return nothing
-    system, static = interpolant.system, interpolant.static_load
-    centres = tongue_centres(
-        lambda load, theta: collision_measure(system, static, load, theta)[0], loads[some], rows
-    )
+    centres = tongue_centres(partial(_closeness, interpolant), loads[some], rows)
     k, i = np.nonzero(np.isfinite(centres) & (strength[:, None] * loads[some] < width))
     return centres[k, i], some[i]
+
+
+def _closeness(interpolant: ChartInterpolant, load: Array, theta: Array) -> Array:
+    """Return the `pair_closeness` of the closest pair, to the accuracy of the chart.
+
+    That is enough for the centre of a tongue, whose growth is then computed point by point.
+    """
+    mu = interpolant.single_multipliers(load.ravel(), 2 * np.pi / theta.ravel())
+    return np.asarray(pair_closeness(mu).max(axis=-1).reshape(theta.shape))
