@@ -67,7 +67,9 @@ def work(monkeypatch):
 
 @pytest.mark.parametrize("query", [HARMONICS, *STEPS])
 def test_a_picture_takes_a_bounded_amount_of_work(query, evaluations, work):
-    analysis.solve(state_of(query), detail=Detail.COARSE)
+    state = state_of(query)
+    state.static_load_factor *= 1 - 1e-6  # another test may have solved the state itself
+    analysis.solve(state, detail=Detail.COARSE)
     assert 0 < sum(evaluations) <= MOST_EVALUATIONS
     assert max(evaluations) <= MOST_TOGETHER
     assert 0 < sum(work) <= limits.MOST_NODES[Detail.COARSE]
