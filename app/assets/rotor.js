@@ -67,7 +67,62 @@ window.rotorstab.rotor = (() => {
     page.change("own_factor", Number(factor.toFixed(4)));
   }
 
+  // -- tables: a cell is sent when it is left or confirmed; the answer fills all of them again ----
+  let shown = "";
+  const node = (tag, attributes = {}, ...children) => {
+    const made = document.createElement(tag);
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+  };
+
+  function cell(part, row, key, head, value, materials) {
+    const attributes = { "aria-label": `${head}, row ${row + 1}`, "data-cell": `${part} ${row} ${key}` };
+    const send = (found) => page.send({ type: "own_edit", part, row, key, value: found });
+    if (key === "material") {
+      const names = materials.includes(value) ? materials : [...materials, value];
+      const select = node("select", attributes, ...names.map((name) => node("option", name === value ? { selected: "" } : {}, name)));
+      select.addEventListener("change", () => send(select.value));
+      return select;
+    }
+    const box = node("input", { ...attributes, type: "text", inputmode: "decimal", autocomplete: "off", value: String(value) });
+    box.addEventListener("change", () => {
+      const typed = page.typed(box.value);
+      page.flag(box, !Number.isFinite(typed.value));
+      if (Number.isFinite(typed.value)) send(typed.value);
+      else place("edited").textContent = `${head} ${typed.doubt || "must be a number"}.`;
+    });
+    return box;
+  }
+
+  function rowButton(words, label, part, row, what) {
+    const button = node("button", { type: "button", class: "small", "aria-label": label }, words);
+    button.addEventListener("click", () => page.send({ type: "own_edit", part, row, do: what }));
+    return button;
+  }
+
+  function fill(found) {
+    const key = JSON.stringify(found);
+    if (key === shown) return;
+    shown = key;
+    const focused = document.activeElement?.dataset?.cell;
+    for (const table of document.querySelectorAll("[data-own-table]")) {
+      const part = table.dataset.ownTable;
+      const { keys, heads, rows, more } = found[part];
+      const head = node("tr", {}, ...heads.map((words) => node("th", { scope: "col" }, ...page.rich(words))), node("td", {}, rowButton("+", `Add to ${part}`, part, rows.length - 1, "add")));
+      const body = rows.map((values, row) => node("tr", {}, ...values.map((value, at) => node("td", {}, cell(part, row, keys[at], heads[at], value, found.material))),
+        node("td", {}, rowButton("−", `Remove row ${row + 1} of ${part}`, part, row, "remove"))));
+      const rest = more ? [node("tr", {}, node("td", { colspan: String(keys.length) }, `and ${more} more, which are edited in the file`))] : [];
+      table.replaceChildren(node("thead", {}, head), node("tbody", {}, ...body, ...rest));
+    }
+    if (focused) document.querySelector(`[data-cell="${focused}"]`)?.focus();
+  }
+
   function answer(data) {
+    if (data.own_edited !== undefined) {
+      place("edited").textContent = data.own_edited && `${data.own_edited}. Nothing was changed.`;
+      if (data.own_edited) shown = ""; // the refused value gives way to the present one
+    }
     if (data.own_opening) { say(""); opening.textContent = `Reading ${data.own_opening} …`; }
     if (data.own_opened) {
       opening.textContent = "";
@@ -77,7 +132,7 @@ window.rotorstab.rotor = (() => {
     }
     if (data.replaced) say("");
     if (!data.own) return;
-    const { sentence, source, notes, facts, point, waits } = data.own;
+    const { sentence, source, notes, facts, point, tables, waits } = data.own;
     place("sentence").replaceChildren(...page.rich(sentence));
     place("sentence").setAttribute("aria-busy", String(waits));
     place("source").textContent = source;
@@ -85,6 +140,7 @@ window.rotorstab.rotor = (() => {
     place("notes").textContent = notes.length > 1 ? `Not as in the file: ${notes.join("; ")}.` : notes.join("");
     place("facts").replaceChildren(...page.facts(facts));
     place("point").replaceChildren(...page.facts(point));
+    fill(tables);
     if (!watching) { watching = true; watch(); }
     requestAnimationFrame(fit);
   }

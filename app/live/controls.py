@@ -89,7 +89,7 @@ WORDS = {
     "aluminium": "Aluminium",
     "titanium": "Titanium",
     **{name: preset.title for name, preset in OWN_PRESETS.items()},
-    OWN_FILE: "From a file",
+    OWN_FILE: "Own rotor",
 }
 
 

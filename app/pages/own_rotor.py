@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -17,6 +18,7 @@ from ..live.chart import LiveChart
 from ..live.low import make_low
 from ..live.small import make_small
 from ..reading.numbers import printable
+from ..reading.user_error import UserError
 from ..results.growth_maps import known_detail
 from ..results.limits import Detail
 from ..results.own_charts import (
@@ -36,11 +38,13 @@ from ..results.own_model import (
     Parts,
     keep_opened,
     opened_model,
+    own_model,
     scaled_rotor,
 )
 from ..results.window import Window
 from ..state import State
-from ..state.own_file import LARGEST_OWN_FILE, OpenedRotor
+from ..state.own_edits import edited, tables
+from ..state.own_file import LARGEST_OWN_FILE, OpenedRotor, elements_of, plain_line
 from ..state.own_presets import OWN_FILE, OWN_PRESETS
 from ..state.rates import rpm
 from ..words.own_rotor import own_facts, own_sentence, point_facts
@@ -60,12 +64,12 @@ class OwnRotor(Page):
     key = "rotor"
     title = "Your rotor"
     chart_keys = OWN_CHARTS
-    takes = frozenset({"own_file", "own_save"})
+    takes = frozenset({"own_file", "own_save", "own_edit"})
 
     def __init__(self) -> None:
         super().__init__()
         self._opened: Rotor | None = None  # the rotor of a file
-        self._name = ""
+        self._origin = ""  # in words
         self._notes: tuple[str, ...] = ()
 
     def rotor(self, state: State) -> Rotor:
@@ -135,12 +139,13 @@ class OwnRotor(Page):
                 "facts": own_facts(scaled_rotor(operation.parts), model, table),
                 "source": self._source(state),
                 "notes": self._all_notes(state, model),
+                "tables": tables(operation.parts.rotor),
             }
         }
 
     def _source(self, state: State) -> str:
         if state.own_rotor == OWN_FILE:
-            return f"From the file {self._name}." if self._opened is not None else _LOST
+            return self._origin if self._opened is not None else _LOST
         return OWN_PRESETS[state.own_rotor].source
 
     def _all_notes(self, state: State, model: OwnModel) -> list[str]:
@@ -155,7 +160,27 @@ class OwnRotor(Page):
             return self._save(state)
         if message.get("type") == "own_file":
             return self._open(message, state)
+        if message.get("type") == "own_edit":
+            return self._edit(message, state)
         return Reply()
+
+    def _edit(self, message: Mapping[str, Any], state: State) -> Reply:
+        """Change a cell or a row of the tables; an edit that is refused changes nothing."""
+        operation = self.operation(state)
+        try:
+            rotor = edited(operation.parts.rotor, message)
+            elements_of(rotor)
+            own_model(replace(operation.parts, rotor=rotor))
+        except UserError as error:
+            return Reply({"own_edited": str(error)})
+        except ValueError as error:  # of the library, which has SI units
+            return Reply({"own_edited": f"{plain_line(str(error))} (in m, kg, N)"})
+        origin = self._source(state).removesuffix(".").removesuffix(", edited")
+        if state.own_rotor != OWN_FILE:
+            origin, self._notes = OWN_PRESETS[state.own_rotor].title, ()
+        self._opened, self._origin = rotor, f"{origin}, edited."
+        state.change({"own_rotor": OWN_FILE})
+        return Reply({"own_edited": ""})
 
     def _save(self, state: State) -> Reply:
         rotor = scaled_rotor(self.operation(state).parts)
@@ -192,7 +217,8 @@ class OwnRotor(Page):
         opened, _ = found[-1]
         if opened.rotor is None:
             return Reply({"own_opened": {"problem": opened.problem}, "told": f"{name} was refused"})
-        self._opened, self._name, self._notes = opened.rotor, name, opened.notes
+        self._opened, self._notes = opened.rotor, opened.notes
+        self._origin = f"From the file {name}."
         defaults = {one: State.param[one].default for one in _FACTORS}
         state.change({"own_rotor": OWN_FILE, **defaults})
         for chart in self.charts.values():  # a zoom belongs to its rotor

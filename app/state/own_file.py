@@ -14,7 +14,14 @@ from rotorstab.rotors.rotor_file import rotor_from_toml
 from ..reading.numbers import printable
 from ..reading.toml import read_toml
 
-__all__ = ["LARGEST_OWN_FILE", "MOST_ELEMENTS", "OpenedRotor", "elements_of", "open_rotor"]
+__all__ = [
+    "LARGEST_OWN_FILE",
+    "MOST_ELEMENTS",
+    "OpenedRotor",
+    "elements_of",
+    "open_rotor",
+    "plain_line",
+]
 
 LARGEST_OWN_FILE = 150_000
 """Largest size of a file [bytes]; the compressor of ROSS's examples takes some 100 000."""
@@ -53,7 +60,7 @@ def open_rotor(text: str) -> OpenedRotor:
             rotor = _read(text)
         elements_of(rotor)
     except ValueError as error:
-        return OpenedRotor(None, printable(_plain(str(error)), _LONGEST))
+        return OpenedRotor(None, plain_line(str(error)))
     notes = (printable(str(one.message), _LONGEST) for one in caught)
     return OpenedRotor(rotor, notes=tuple(notes))
 
@@ -92,6 +99,6 @@ def _read(text: str) -> Rotor:
     return rotor_from_toml(text)
 
 
-def _plain(message: str) -> str:
-    """Return a message without the marks of names of arguments."""
-    return re.sub("`([^`]*)`", r"\1", message)
+def plain_line(message: str) -> str:
+    """Return a message as one short line, without the marks of names of arguments."""
+    return printable(re.sub("`([^`]*)`", r"\1", message), _LONGEST)

@@ -29,6 +29,7 @@ KINDS = tuple(
         "save_rotor_file",
         "own_file",
         "own_save",
+        "own_edit",
         "figure",
         "lesson",
         "lesson-set",

@@ -13,6 +13,7 @@ from app.state import State
 from app.state.own_file import LARGEST_OWN_FILE, MOST_ELEMENTS, open_rotor
 from app.state.own_presets import OWN_PRESETS
 from rotorstab import (
+    MATERIALS,
     Bearing,
     Disk,
     Rotor,
@@ -254,3 +255,54 @@ def test_a_long_file_is_read_elsewhere(session):
     problem, answer = open_text(session, text, "long")
     assert problem == ""
     assert (answer["own_opening"], answer["own"]["source"]) == ("long", "From the file long.")
+
+
+def edit(session, part, row, **what):
+    return session.respond({"type": "own_edit", "part": part, "row": row, **what})
+
+
+def test_the_tables_edit_the_rotor(session):
+    change(session, own_rotor="two-disks")
+    answer = edit(session, "disks", 1, key="mass", value=40)
+    assert answer["own_edited"] == ""
+    assert answer["own"]["source"] == "Two disks, two bearings, edited."
+    assert answer["own"]["tables"]["disks"]["rows"][1][:2] == [1000.0, 40.0]
+    edit(session, "bearings", 0, key="kyy", value=0.5)
+    edit(session, "disks", 0, do="remove")
+    edit(session, "sections", 0, key="material", value="steel")
+    answer = edit(session, "sections", 0, key="inner_diameter", value=20)
+    assert answer["own"]["tables"]["sections"]["rows"] == [[1500.0, 50.0, 20.0, "steel"]]
+    saved = rotor_from_toml(
+        base64.b64decode(session.respond({"type": "own_save"})["file"]["base64"]).decode()
+    )
+    assert len(saved.disks) == 1
+    assert saved.bearings[0].kyy == 0.5e6
+    # the shear coefficient follows the section
+    hollow = ShaftSection(1.5, 0.05, MATERIALS["steel"], inner_diameter=0.02)
+    assert saved.sections == (hollow,)
+    answer = edit(session, "disks", 0, do="add")
+    assert len(answer["own"]["tables"]["disks"]["rows"]) == 2
+    assert answer["own"]["source"] == "Two disks, two bearings, edited."
+
+
+@pytest.mark.parametrize(
+    ("part", "row", "what", "words"),
+    [
+        ("disks", 0, {"key": "position", "value": 1600}, "must be"),
+        ("disks", 0, {"key": "mass", "value": -1}, "mass must be"),
+        ("disks", 0, {"key": "mass", "value": True}, "must be a number"),
+        ("disks", 0, {"key": "mass", "value": 10**400}, "must be a number"),
+        ("disks", 0, {"key": "colour", "value": 1}, "no such column"),
+        ("disks", 7, {"key": "mass", "value": 1}, "no such row"),
+        ("clamps", 0, {"do": "remove"}, "no such table"),
+        ("sections", 0, {"key": "inner_diameter", "value": 50}, "must be smaller"),
+        ("sections", 0, {"key": "material", "value": "cheese"}, "must be one of"),
+        ("sections", 0, {"do": "remove"}, "one ShaftSection or more"),
+    ],
+)
+def test_a_bad_edit_changes_nothing(session, part, row, what, words):
+    change(session, own_rotor="two-disks")
+    before = session.state.inputs(), session.respond({"type": "own_shown"})["own"]["tables"]
+    answer = edit(session, part, row, **what)
+    assert words in answer["own_edited"]
+    assert (session.state.inputs(), answer["own"]["tables"]) == before
