@@ -136,6 +136,12 @@ propagator, 1e-11.
 UNCERTAIN_PIXEL = 1e-5
 """Error of a growth rate σ̄ on a map above which the pixel is solved again point by point."""
 
+ROUGH_PART = 0.01
+"""Error of a growth rate, as a part of it, above which a pixel that may not be solved again is NaN.
+
+Charts that leave out loads too slow for it would otherwise show growth that is wrong by half.
+"""
+
 NO_VERDICT = 1.0
 """Error of ln max|μ| from which a doubtful pixel has no verdict.
 

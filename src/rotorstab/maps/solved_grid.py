@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .._tolerances import NO_VERDICT, SMALLEST_GROWTH, UNCERTAIN_PIXEL
+from .._tolerances import NO_VERDICT, ROUGH_PART, SMALLEST_GROWTH, UNCERTAIN_PIXEL
 from .._types import Array, Mask
 from ..floquet.interpolant.chart_interpolant import ChartInterpolant
 from ..floquet.point import floquet_solution
@@ -70,6 +70,9 @@ def solved_grid(
         if options.refine:
             fast, most = frequencies >= options.refine_from, options.most_refined
             refined = _refine(system, static, loads, frequencies, growth, error, fast, most)
+            rough = error > np.maximum(UNCERTAIN_PIXEL, ROUGH_PART * np.abs(growth))
+            # where growth in one period is beyond all bounds, so is its error
+            growth[(rough | ~(error * periods < NO_VERDICT)) & ~fast] = np.nan
         growth[(np.abs(growth) <= error) & ~(error * periods < NO_VERDICT)] = np.nan
     peak = growth
     if options.find_narrow:
