@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+from urllib.parse import urlencode
 
 import panel as pn
 
@@ -50,6 +51,7 @@ class Session:
         place_marker(self.state)
         for page in self.pages.values():
             page.set_address_pins(pins)
+            page.take_address(arguments or {})
         self.active = PAGES[0].key
         self.controls = Controls(self.respond)
         self._scheduler = Scheduler()
@@ -202,7 +204,9 @@ class Session:
     def query(self) -> str:
         """Return the address query of the state and its pins."""
         pins = [pin for page in self.pages.values() for pin in page.pin_inputs()]
-        return to_query(self.state.inputs(), pins)
+        query = to_query(self.state.inputs(), pins)
+        more = [page.address_pairs(self.state) for page in self.pages.values()]
+        return "&".join([query, *(urlencode(pairs) for pairs in more if pairs)])
 
     def _advance(self, kind: object) -> None:
         """Let the first messages draw what a bare request for the page does not cost."""

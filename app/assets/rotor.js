@@ -132,7 +132,7 @@ window.rotorstab.rotor = (() => {
     }
     if (data.replaced) say("");
     if (!data.own) return;
-    const { sentence, source, notes, facts, point, tables, waits } = data.own;
+    const { sentence, source, notes, facts, point, tables, linked, waits } = data.own;
     place("sentence").replaceChildren(...page.rich(sentence));
     place("sentence").setAttribute("aria-busy", String(waits));
     place("source").textContent = source;
@@ -141,6 +141,7 @@ window.rotorstab.rotor = (() => {
     place("facts").replaceChildren(...page.facts(facts));
     place("point").replaceChildren(...page.facts(point));
     fill(tables);
+    place("linked").textContent = linked ? "The link of this page holds the rotor." : "This rotor is too large for a link: save its file.";
     if (!watching) { watching = true; watch(); }
     requestAnimationFrame(fit);
   }

@@ -151,6 +151,13 @@ class Page:
         """Answer a message that only this page knows."""
         return Reply()
 
+    def take_address(self, arguments: Mapping[str, Sequence[bytes | str]]) -> None:
+        """Note what an address holds for this page besides inputs and pins."""
+
+    def address_pairs(self, state: State) -> Mapping[str, str]:
+        """Return what the address holds for this page besides inputs and pins."""
+        return {}
+
     def pin_inputs(self) -> Sequence[PinnedInputs]:
         """Return the pins, for the address."""
         return ()

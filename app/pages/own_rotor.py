@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -45,6 +45,7 @@ from ..results.window import Window
 from ..state import State
 from ..state.own_edits import edited, tables
 from ..state.own_file import LARGEST_OWN_FILE, OpenedRotor, elements_of, plain_line
+from ..state.own_link import OWN_KEY, packed, packed_of, unpacked
 from ..state.own_presets import OWN_FILE, OWN_PRESETS
 from ..state.rates import rpm
 from ..words.own_rotor import own_facts, own_sentence, point_facts
@@ -68,14 +69,18 @@ class OwnRotor(Page):
 
     def __init__(self) -> None:
         super().__init__()
-        self._opened: Rotor | None = None  # the rotor of a file
+        self._opened: Rotor | None = None  # the rotor of a file, an edit or a link
+        self._packed = ""  # the rotor of a link until it is needed
+        self._lost = _LOST
         self._origin = ""  # in words
         self._notes: tuple[str, ...] = ()
 
     def rotor(self, state: State) -> Rotor:
         """Return the chosen rotor without its factors."""
-        if state.own_rotor == OWN_FILE and self._opened is not None:
-            return self._opened
+        if state.own_rotor == OWN_FILE:
+            self._unpack()
+            if self._opened is not None:
+                return self._opened
         chosen = OWN_PRESETS.get(state.own_rotor, next(iter(OWN_PRESETS.values())))
         return chosen.rotor
 
@@ -139,13 +144,14 @@ class OwnRotor(Page):
                 "facts": own_facts(scaled_rotor(operation.parts), model, table),
                 "source": self._source(state),
                 "notes": self._all_notes(state, model),
+                "linked": bool(self.address_pairs(state)) or state.own_rotor != OWN_FILE,
                 "tables": tables(operation.parts.rotor),
             }
         }
 
     def _source(self, state: State) -> str:
         if state.own_rotor == OWN_FILE:
-            return self._origin if self._opened is not None else _LOST
+            return self._origin if self._opened is not None else self._lost
         return OWN_PRESETS[state.own_rotor].source
 
     def _all_notes(self, state: State, model: OwnModel) -> list[str]:
@@ -181,6 +187,28 @@ class OwnRotor(Page):
         self._opened, self._origin = rotor, f"{origin}, edited."
         state.change({"own_rotor": OWN_FILE})
         return Reply({"own_edited": ""})
+
+    def take_address(self, arguments: Mapping[str, Sequence[bytes | str]]) -> None:
+        """Note the rotor of a link; it is read when the page is opened."""
+        self._packed = packed_of(arguments)
+
+    def address_pairs(self, state: State) -> Mapping[str, str]:
+        """Return the rotor for the address, unless it is an example or too large."""
+        if state.own_rotor != OWN_FILE:
+            return {}
+        text = self._packed if self._opened is None else packed(self._opened)
+        return {OWN_KEY: text} if text else {}
+
+    def _unpack(self) -> None:
+        """Read the rotor of a link once."""
+        if self._opened is None and self._packed:
+            opened = unpacked(self._packed)
+            self._packed = ""
+            self._opened, self._origin = opened.rotor, "From this link."
+            if opened.rotor is None:
+                self._lost = (
+                    f"{opened.problem[0].upper()}{opened.problem[1:]}. Shown is an example."
+                )
 
     def _save(self, state: State) -> Reply:
         rotor = scaled_rotor(self.operation(state).parts)

@@ -22,6 +22,7 @@ from ..reading.numbers import TwoReadings, read_number
 from ..reading.user_error import UserError
 from .declaration import Use
 from .inputs import FACTS, names_for
+from .own_link import OWN_KEY
 from .state import State
 
 __all__ = [
@@ -144,7 +145,7 @@ def from_arguments(
     doubtful: list[str] = []
     for key, encoded in arguments.items():
         texts = _decoded(encoded)
-        if key in PIN_KEYS or _is_tracking(str(key)):
+        if key in PIN_KEYS or key == OWN_KEY or _is_tracking(str(key)):
             continue
         if key == "v":
             if texts != [str(VERSION)]:

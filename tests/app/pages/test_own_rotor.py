@@ -2,6 +2,8 @@
 
 import base64
 import math
+import zlib
+from urllib.parse import parse_qsl
 
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from app.results.own_charts import OWN_CHARTS
 from app.session import Session
 from app.state import State
 from app.state.own_file import LARGEST_OWN_FILE, MOST_ELEMENTS, open_rotor
+from app.state.own_link import packed
 from app.state.own_presets import OWN_PRESETS
 from rotorstab import (
     MATERIALS,
@@ -230,12 +233,38 @@ def test_a_free_rotor_is_said_to_have_no_buckling_load(session):
     assert answer["notice"] == ""
 
 
-def test_an_address_holds_the_sliders_but_not_the_file():
-    session = Session({"rotor": ["file"], "rspin": ["1.5"], "rk": ["2"]})
+def test_a_link_holds_the_rotor_and_the_sliders(session):
+    open_text(session, rotor_to_toml(UNEQUAL))
+    query = change(session, own_spin=1.5, own_stiffness=2.0)["query"]
+    assert len(query) < 1500
+    session = Session({key: [value] for key, value in parse_qsl(query)})
+    assert session.respond({"type": "hello"})["address_notice"] == ""
     answer = session.respond({"type": "page", "name": "rotor"})
     assert (session.state.own_spin, session.state.own_stiffness) == (1.5, 2.0)
-    assert "open that file again" in answer["own"]["source"]
+    assert answer["own"]["source"] == "From this link."
+    assert session.pages["rotor"].rotor(session.state) == UNEQUAL
+    assert answer["query"] == query
+    # an example needs no rotor in the link
+    assert "own=" not in change(session, own_rotor="paper")["query"]
+
+
+BOMB = base64.urlsafe_b64encode(zlib.compress(b"#" * 2_000_000, 9)).decode().rstrip("=")
+
+
+@pytest.mark.parametrize(
+    "given", [["x" * 5000], ["AAAA"], ["ä"], [b"\xff\xfe"], ["a", "b"], [], [BOMB], ["eJwDAAAAAAE"]]
+)
+def test_a_bad_link_shows_an_example_and_says_so(given):
+    session = Session({"rotor": ["file"], "own": given})
+    answer = session.respond({"type": "page", "name": "rotor"})
+    assert "Shown is an example." in answer["own"]["source"]
+    assert answer["notice"] == ""
     assert State().own_rotor in OWN_PRESETS
+
+
+def test_a_large_rotor_is_a_file():
+    sections = tuple(ShaftSection(0.01 + at / 7e5, 0.05 + at / 7e4, STEEL) for at in range(120))
+    assert packed(Rotor(sections, bearings=(Bearing(0.0, 1e6),))) == ""
 
 
 def test_the_map_is_kept_for_all_sessions(session):
