@@ -206,9 +206,7 @@ class OwnRotor(Page):
             self._packed = ""
             self._opened, self._origin = opened.rotor, "From this link."
             if opened.rotor is None:
-                self._lost = (
-                    f"{opened.problem[0].upper()}{opened.problem[1:]}. Shown is an example."
-                )
+                self._lost = f"Not opened: {opened.problem}. Shown is an example."
 
     def _save(self, state: State) -> Reply:
         rotor = scaled_rotor(self.operation(state).parts)

@@ -141,7 +141,8 @@ def floquet_map(window: Window, detail: Detail) -> FloquetMap:
     """Return the map of a window; a full one takes some ten times as long as a coarse one."""
     try:
         return _map(window, detail, matrices=False)
-    except InseparableWhirls:
+    # a rigid motion of a free rotor has two equal multipliers, and no basis of eigenvectors
+    except (InseparableWhirls, np.linalg.LinAlgError):
         return replace(_map(window, detail, matrices=True), of_all_whirls=True)
 
 

@@ -263,7 +263,8 @@ def test_a_bad_link_shows_an_example_and_says_so(given):
 
 
 def test_a_large_rotor_is_a_file():
-    sections = tuple(ShaftSection(0.01 + at / 7e5, 0.05 + at / 7e4, STEEL) for at in range(120))
+    sizes = np.random.default_rng(1).uniform(0.01, 0.05, (120, 2))
+    sections = tuple(ShaftSection(length, diameter, STEEL) for length, diameter in sizes)
     assert packed(Rotor(sections, bearings=(Bearing(0.0, 1e6),))) == ""
 
 
