@@ -1,6 +1,6 @@
 // Labels on the Bokeh charts: where one would lie over another, or be cut by the frame, it is painted beside, or not
 // at all. Only the browser knows how wide its letters are, and what is seen while a chart is zoomed.
-window.rotorstab.labels = (() => {
+window.rotorstab.labelPlaces = (() => {
   const GAP = 1; // px between two labels
   const LINES = 4; // lines by which a label may be moved up or down
   const paintings = new WeakMap(); // by the view of a figure: what its present painting has painted so far

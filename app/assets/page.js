@@ -48,7 +48,7 @@
             case "Grid":
               model.setv({ grid_line_color: grid }, quiet); break;
             case "Text":
-              page.labels.place(model);
+              page.labelPlaces.place(model);
               // the name of a pin has the colour of its curves
               model.setv({ ...(model.text_color?.field ? {} : { text_color: { value: ink } }), background_fill_color: { value: card } }, quiet); break;
           }
