@@ -30,7 +30,7 @@ __all__ = [
 
 
 _NARROW, _ROOM = 0.25, 0.02  # of the chart's width: a part that is narrower has an upright label
-_LABEL = 0.11  # part of the axis that a label takes at most; a narrower chart moves its labels itself
+_LABEL = 0.11  # part of the axis for a label; a narrower chart moves its labels itself
 THIN = "thin tongue (Floquet)"
 FLOQUET = "unstable (Floquet)"
 """The group of what Floquet finds unstable, where a chart shows one rotor."""
