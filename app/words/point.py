@@ -147,7 +147,7 @@ def _multipliers(floquet: FloquetSolution) -> str:
 
 def _bolotin_words(in_bolotin_region: bool, unstable: bool, region: str) -> str:
     if in_bolotin_region == unstable:
-        return f"Bolotin agrees: the point is {region}."
+        return f"Bolotin’s method says the same of this point: it is {region}."
     if in_bolotin_region:
         return "Bolotin’s method draws a region here, but no multiplier has left the unit circle."
     return "Bolotin’s method draws no region here: it misses this tongue."

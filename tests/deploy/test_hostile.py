@@ -66,7 +66,7 @@ def test_the_spy_sees_every_way_into_the_solver():
         ("app.results.analysis", "bolotin_chart"),
         ("app.results.marked_point", "time_response"),
         ("app.results.marked_point", "floquet_solution"),
-        ("app.lessons.situation", "floquet_solution"),
+        ("app.lessons.situation", "whirl_frequencies"),
     } <= points
 
 

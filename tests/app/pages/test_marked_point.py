@@ -109,7 +109,7 @@ def test_the_marked_point_shows_what_the_solver_returns(session):
     assert float(fact(answer, "Growth rate σ̄")) == pytest.approx(rate, rel=1e-3)
     assert fact(answer, "Floquet") == "unstable"
     assert fact(answer, "Doubles in").startswith(f"{np.log(2) / rate / motion.period:.3g} periods")
-    assert "Bolotin agrees" in answer["inspector"]["explanation"]
+    assert "Bolotin’s method says the same" in answer["inspector"]["explanation"]
 
 
 def test_a_bolotin_region_without_a_tongue_is_told_as_such(session):
