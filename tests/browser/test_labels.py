@@ -152,9 +152,9 @@ def test_nor_while_a_slider_moves_or_a_chart_is_zoomed(written):
         wait_for_rest(written)
         written.evaluate(LABELS)
         for step in range(12):
-            written.evaluate("(value) => rotorstab.change('spin_speed', value)", 0.5 + 0.4 * step)
+            written.evaluate("(value) => rotorstab.change('spin_speed', value)", 0.5 + 0.25 * step)
             written.wait_for_function(
-                "(value) => rotorstab.last.values.spin_speed === value", arg=0.5 + 0.4 * step
+                "(value) => rotorstab.last.values.spin_speed === value", arg=0.5 + 0.25 * step
             )
             written.wait_for_timeout(30)
         settle(written)

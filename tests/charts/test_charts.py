@@ -294,7 +294,7 @@ def test_names_of_tongues_stay_inside_and_clear_of_each_other(places, low, high)
     spans = []
     for x, y, side in rows:
         share = (x - low) / (high - low)
-        start, end = (share, share + 0.2) if side == "right" else (share - 0.2, share)
+        start, end = (share, share + 0.11) if side == "right" else (share - 0.11, share)
         assert start >= 0
         assert end <= 1 + 1e-12
         spans.append((start, end, y))

@@ -74,6 +74,9 @@ def reset(page):
           while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
           focused?.blur();
           scrollTo(0, 0);
+          for (const one of document.querySelectorAll("dialog[open]")) one.close();
+          for (const one of document.querySelectorAll("[popover]:popover-open")) one.hidePopover();
+          for (const one of document.querySelectorAll("aside details[open]")) one.open = false;
           localStorage.clear();  // answers to lessons, the chosen theme and sliders
           // a lesson goes on beside the charts until it is left
           if (rotorstab.lessons.running) document.querySelector('[data-lesson="close"]').click();
