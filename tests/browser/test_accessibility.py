@@ -132,7 +132,7 @@ def test_axe_finds_nothing_serious_on_a_phone(page):
     wait_for_rest(page)
     assert serious_faults(page) == []
     page.emulate_media(color_scheme="light")
-    page.evaluate("document.documentElement.dataset.theme = 'light'")
+    page.evaluate("rotorstab.setTheme('light')")
     assert serious_faults(page, rules=COLOURS) == []
 
 

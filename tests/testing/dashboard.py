@@ -82,7 +82,9 @@ def reset(page):
           if (rotorstab.lessons.running) document.querySelector('[data-lesson="close"]').click();
           location.hash = "explore";
           if (rotorstab.motion.state?.playing) document.querySelector(".shaft-play").click();
-          if (document.documentElement.dataset.theme === "dark") rotorstab.setTheme("light");
+          const { theme } = document.documentElement.dataset;
+          const button = document.querySelector("button.theme").textContent;
+          if (theme === "dark" || button !== "Dark") rotorstab.setTheme("light");
           for (const { number } of rotorstab.last.pins?.names ?? []) {
             rotorstab.send({ type: "unpin", number });
           }
