@@ -18,6 +18,7 @@ from .._types import Array, ArrayLike
 __all__ = ["COSINE", "FittedLoad", "PeriodicLoad"]
 
 _MOST_HARMONICS = 64
+_ROUNDING = 1e-10  # part of the largest coefficient of a fit below which one is rounding
 
 
 @dataclass(frozen=True)
@@ -249,20 +250,20 @@ def _fitted(phase: Array, values: Array, harmonics: int | None, most: int) -> Fi
     count = most if harmonics is None else whole_number("harmonics", harmonics, 1, most)
     orders = np.outer(phase, np.arange(1, count + 1))
     matrix = np.hstack([np.ones((len(phase), 1)), np.cos(orders), np.sin(orders)])
-    found, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=1e-10)
+    found, _, rank, _ = np.linalg.lstsq(matrix, values, rcond=_ROUNDING)
     if rank < matrix.shape[1]:
         raise ValueError(
             f"`harmonics` must be so few that the samples determine them, got {count} "
             f"with {len(np.unique(phase))} different phases"
         )
     amplitudes = found[1 : count + 1] - 1j * found[count + 1 :]
-    amplitudes[np.abs(amplitudes) <= 1e-10 * np.abs(amplitudes).max()] = 0
+    amplitudes[np.abs(amplitudes) <= _ROUNDING * np.abs(amplitudes).max()] = 0
     scale = float(np.abs(amplitudes).max())
     if scale <= NEGLIGIBLE * float(np.abs(values).max()):
         raise ValueError("`load` must vary with the period, got one that does not")
     # no part of a coefficient that is rounding: an even load stays exactly even
     parts = np.array([amplitudes.real, -amplitudes.imag]) / scale
-    parts[np.abs(parts) < 1e-10] = 0.0
+    parts[np.abs(parts) < _ROUNDING] = 0.0
     variation = values - found[0]
     left = float(np.linalg.norm(values - matrix @ found)) / float(np.linalg.norm(variation))
     shape = PeriodicLoad(tuple(parts[0].tolist()), tuple(parts[1].tolist()))
